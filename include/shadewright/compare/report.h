@@ -1,0 +1,88 @@
+// What `shadewright compare` found, as data, and its three written forms: JSON (the contract), CSV and one HTML page.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "shadewright/scene/scene.h"
+
+namespace shadewright::compare {
+
+/// Section 6 of the architecture. All counts are pixels of this image.
+struct ErrorFigures {
+  uint64_t wrong = 0, compared = 0, image_pixels = 0;
+  double fraction = 0;  ///< wrong / compared
+  double match = 1;     ///< 1 - wrong / image_pixels
+  uint64_t false_shadow = 0, false_lit = 0;
+  uint64_t interior_false_shadow = 0, interior_false_lit = 0;
+  std::optional<double> oracle_fraction;  ///< none where the technique has no oracle (null in JSON)
+  uint64_t edge_pixels = 0;
+  double boundary_fraction = 0;
+  double mean_absolute = 0;
+  std::optional<double> flicker;  ///< none without a camera path
+};
+
+struct StageTime {
+  std::string name;
+  double median = 0;  ///< milliseconds
+};
+
+struct Allocation {
+  std::string name;
+  uint64_t bytes = 0;
+};
+
+/// Milliseconds over the repeats.
+struct Timing {
+  double median = 0, min = 0, max = 0;
+  std::vector<StageTime> stages;
+};
+
+struct TechniqueResult {
+  std::string technique;  ///< as the user typed it
+  std::string spec;       ///< canonical
+  ErrorFigures error;
+  Timing milliseconds;            ///< the technique alone
+  double frame_milliseconds = 0;  ///< with the camera pass, median
+  std::vector<Allocation> memory;
+  std::map<std::string, std::vector<double>> counters;  ///< one value is written as a number, more as an array
+  // Pictures, relative to the report's folder; empty = none.
+  std::string image, mask, difference;
+
+  uint64_t memory_bytes() const;
+};
+
+struct Report {
+  std::string scene_name;
+  uint64_t triangles = 0, instances = 0;
+  std::string device_name, device_type;
+  uint32_t width = 0, height = 0;
+  Camera camera;
+  Light light;
+  double reference_milliseconds = 0, reference_lit_fraction = 0;
+  double camera_pass_milliseconds = 0;
+  std::string reference_image, reference_mask;
+  std::vector<std::string> notes;  ///< e.g. the camera that was chosen, refused combinations, warnings
+  std::vector<TechniqueResult> results;
+};
+
+/// The JSON of the contract (schema "shadewright.compare/1"), with two spaces of indentation and a final newline.
+std::string to_json(const Report& report);
+/// Reads what `to_json` wrote; unknown keys are ignored. InputError for anything else, naming `name`.
+Report from_json(const std::string& text, const std::string& name);
+/// One row a result, with a header line.
+std::string to_csv(const Report& report);
+
+/// One HTML page without any outside reference: `folder` holds the PNGs that the report names; they are embedded.
+/// `before`, if given, adds what changed against an earlier report.
+std::string to_html(const Report& report, const std::filesystem::path& folder, const Report* before = nullptr);
+
+/// What changed between two reports, a line a technique, for the terminal (`compare --against`).
+std::string describe_changes(const Report& before, const Report& after);
+
+}  // namespace shadewright::compare
