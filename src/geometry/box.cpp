@@ -8,7 +8,9 @@ Box unite(const Box& a, const Box& b) {
   return result;
 }
 
-Box intersect(const Box& a, const Box& b) { return {glm::max(a.min, b.min), glm::min(a.max, b.max)}; }
+Box intersect(const Box& a, const Box& b) {
+  return {glm::max(a.min, b.min), glm::min(a.max, b.max)};
+}
 
 Box transform(const glm::dmat4& to_from, const Box& box) {
   if (box.empty()) return box;

@@ -42,7 +42,8 @@ struct Box {
 Box unite(const Box& a, const Box& b);
 /// The box common to both, empty if they do not touch.
 Box intersect(const Box& a, const Box& b);
-/// The axis-aligned bounds of `box` under the affine map `to_from` (exact: centre and absolute half extents). Empty stays empty.
+/// The axis-aligned bounds of `box` under the affine map `to_from` (exact: centre and absolute half extents). Empty
+/// stays empty.
 Box transform(const glm::dmat4& to_from, const Box& box);
 
 }  // namespace shadewright

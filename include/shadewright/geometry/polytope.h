@@ -40,11 +40,12 @@ Polytope clip(const Polytope& polytope, const Plane& plane);
 /// The part of `polytope` inside all `planes`.
 Polytope clip(const Polytope& polytope, std::span<const Plane> planes);
 
-/// The half-spaces of a Vulkan clip volume (-w <= x, y <= w, 0 <= z <= w) in the space that `clip_from_space` maps from.
-/// Planes at infinity (an infinite far plane) are left out. Order: left, right, top, bottom, z >= 0, z <= w.
+/// The half-spaces of a Vulkan clip volume (-w <= x, y <= w, 0 <= z <= w) in the space that `clip_from_space` maps
+/// from. Planes at infinity (an infinite far plane) are left out. Order: left, right, top, bottom, z >= 0, z <= w.
 std::vector<Plane> frustum_planes(const glm::dmat4& clip_from_space);
 
-/// True when `box` lies entirely outside one of `planes` (conservative: false for some boxes that miss the intersection).
+/// True when `box` lies entirely outside one of `planes` (conservative: false for some boxes that miss the
+/// intersection).
 bool outside(const Box& box, std::span<const Plane> planes);
 
 }  // namespace shadewright

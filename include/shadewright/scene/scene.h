@@ -1,7 +1,8 @@
-// What is drawn, seen and lit: meshes, their instances, motions, cameras, lights. Plain data, with free functions around it.
+// What is drawn, seen and lit: meshes, their instances, motions, cameras, lights. Plain data, with free functions
+// around it.
 //
-// Space: right-handed, +Y up, metres. All positions are relative to `Scene::origin`, which holds how far the content was
-// moved towards zero at load, so that float positions stay precise a million metres away (architecture, section 4).
+// Space: right-handed, +Y up, metres. All positions are relative to `Scene::origin`, which holds how far the content
+// was moved towards zero at load, so that float positions stay precise a million metres away (architecture, section 4).
 #pragma once
 
 #include <cstdint>
@@ -24,8 +25,8 @@ struct Mesh {
   std::vector<glm::uvec3> triangles;
 };
 
-/// A rigid motion: keys in ascending time, interpolated linearly (translation) and spherically (rotation), held before the
-/// first and after the last key. An empty motion is the identity.
+/// A rigid motion: keys in ascending time, interpolated linearly (translation) and spherically (rotation), held before
+/// the first and after the last key. An empty motion is the identity.
 struct Motion {
   std::string name;
   std::vector<double> times;  ///< seconds
@@ -58,9 +59,9 @@ enum class LightKind { directional, spot, point };
 struct Light {
   std::string name;
   LightKind kind = LightKind::directional;
-  glm::dvec3 position{0.0};               ///< spot and point
-  glm::dvec3 direction{0, -1, 0};         ///< unit, the way the light travels: directional, and the axis of a spot
-  double outer_angle = glm::radians(30);  ///< spot: half angle of the cone, radians, below pi/2
+  glm::dvec3 position{0.0};                 ///< spot and point
+  glm::dvec3 direction{0, -1, 0};           ///< unit, the way the light travels: directional, and the axis of a spot
+  double outer_angle = glm::radians(30.0);  ///< spot: half angle of the cone, radians, below pi/2
 };
 
 /// A camera that moves: keys in ascending time, Catmull-Rom interpolated, held at both ends.
@@ -92,11 +93,12 @@ Box bounds(const Scene& scene, double time = 0);
 /// Number of triangles with every instance counted.
 size_t triangle_count(const Scene& scene);
 
-/// Directional light towards the sun: azimuth 0 = +X, 90 = +Z; elevation above the horizon. Degrees, as on the command line.
+/// Directional light towards the sun: azimuth 0 = +X, 90 = +Z; elevation above the horizon. Degrees, as on the command
+/// line.
 Light sun(double azimuth_degrees, double elevation_degrees);
 
-/// A camera that sees the whole scene, three-quarter from above. For scenes whose backdrop is far larger than their content,
-/// the frame follows the 2nd to 98th percentile of triangle positions, weighted by instance.
+/// A camera that sees the whole scene, three-quarter from above. For scenes whose backdrop is far larger than their
+/// content, the frame follows the 2nd to 98th percentile of triangle positions, weighted by instance.
 Camera default_camera(const Scene& scene);
 
 /// The near distance `camera` draws with: its own, or a fraction (1e-4) of the distance scale of what it looks at.
@@ -110,12 +112,12 @@ const CameraPath& find_path(const Scene& scene, std::string_view name);
 /// The camera at `time` seconds along `path`.
 Camera camera_at(const CameraPath& path, double time);
 
-/// Moves content that is far from zero (compared with its size) towards zero, and each mesh's vertices likewise, so that
-/// float positions lose nothing. Scenes near zero stay as they are, bit for bit.
+/// Moves content that is far from zero (compared with its size) towards zero, and each mesh's vertices likewise, so
+/// that float positions lose nothing. Scenes near zero stay as they are, bit for bit.
 void recentre(Scene& scene);
 
-/// Drops triangles that are degenerate (repeated index, zero area) or not finite, and meshes and instances left without any.
-/// Returns how many triangles were dropped.
+/// Drops triangles that are degenerate (repeated index, zero area) or not finite, and meshes and instances left without
+/// any. Returns how many triangles were dropped.
 size_t drop_degenerate_triangles(Scene& scene);
 
 }  // namespace shadewright

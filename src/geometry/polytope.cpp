@@ -1,0 +1,169 @@
+// Clipping convex polytopes. Each face is clipped as by Sutherland and Hodgman ("Reentrant Polygon Clipping", 1974);
+// the cut is closed by sorting the new corners around their centre, which a convex cut allows.
+#include "shadewright/geometry/polytope.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "shadewright/geometry/projection.h"
+
+namespace shadewright {
+namespace {
+
+enum class Side { outside, on, inside };
+
+/// Distances below this are zero: 1e-12 of the polytope's size, and never finer than what doubles resolve there.
+double tolerance(const Polytope& polytope, const Plane& plane) {
+  const Box box = polytope.bounds();
+  const glm::dvec3 reach = glm::max(glm::abs(box.min), glm::abs(box.max));
+  const double magnitude = glm::dot(glm::abs(plane.normal), reach) + std::abs(plane.offset);
+  return std::max(1e-12 * box.diagonal(), 8 * std::numeric_limits<double>::epsilon() * magnitude);
+}
+
+Side side_of(double distance, double epsilon) {
+  return distance > epsilon ? Side::inside : distance < -epsilon ? Side::outside : Side::on;
+}
+
+/// Always walks from the inner to the outer end, so that the two faces which share an edge get the same bits.
+glm::dvec3 cut_edge(const glm::dvec3& inner, double inner_distance, const glm::dvec3& outer, double outer_distance) {
+  return inner + (outer - inner) * (inner_distance / (inner_distance - outer_distance));
+}
+
+/// The part of a face inside `plane`; corners on the plane are appended to `cut`.
+std::vector<glm::dvec3> clip_polygon(const std::vector<glm::dvec3>& polygon, const Plane& plane, double epsilon,
+                                     std::vector<glm::dvec3>& cut) {
+  std::vector<glm::dvec3> kept;
+  bool any_inside = false;
+  for (size_t i = 0; i < polygon.size(); ++i) {
+    const glm::dvec3& a = polygon[i];
+    const glm::dvec3& b = polygon[(i + 1) % polygon.size()];
+    const double distance_a = plane.distance(a), distance_b = plane.distance(b);
+    const Side side_a = side_of(distance_a, epsilon), side_b = side_of(distance_b, epsilon);
+    any_inside |= side_a == Side::inside;
+    if (side_a != Side::outside) kept.push_back(a);
+    if (side_a == Side::on) cut.push_back(a);
+    const bool crosses =
+        (side_a == Side::inside && side_b == Side::outside) || (side_a == Side::outside && side_b == Side::inside);
+    if (!crosses) continue;
+    kept.push_back(side_a == Side::inside ? cut_edge(a, distance_a, b, distance_b)
+                                          : cut_edge(b, distance_b, a, distance_a));
+    cut.push_back(kept.back());
+  }
+  if (!any_inside || kept.size() < 3) kept.clear();
+  return kept;
+}
+
+/// The convex polygon through `points` of `plane`, counter-clockwise seen from outside (against the plane's normal).
+std::vector<glm::dvec3> cap(std::vector<glm::dvec3> points, const Plane& plane) {
+  const auto before = [](const glm::dvec3& a, const glm::dvec3& b) {
+    return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
+  };
+  std::sort(points.begin(), points.end(), before);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (points.size() < 3) return {};
+
+  glm::dvec3 center(0.0);
+  for (const glm::dvec3& p : points) center += p / static_cast<double>(points.size());
+  glm::dvec3 u, v;
+  perpendicular_axes(-plane.normal, u, v);
+  const auto angle = [&](const glm::dvec3& p) { return std::atan2(glm::dot(p - center, v), glm::dot(p - center, u)); };
+  std::stable_sort(points.begin(), points.end(),
+                   [&](const glm::dvec3& a, const glm::dvec3& b) { return angle(a) < angle(b); });
+  return points;
+}
+
+}  // namespace
+
+std::vector<glm::dvec3> Polytope::points() const {
+  std::vector<glm::dvec3> result;
+  for (const Face& face : faces) result.insert(result.end(), face.polygon.begin(), face.polygon.end());
+  return result;
+}
+
+std::vector<Plane> Polytope::planes() const {
+  std::vector<Plane> result;
+  for (const Face& face : faces) result.push_back(face.plane);
+  return result;
+}
+
+Box Polytope::bounds() const {
+  Box box;
+  for (const Face& face : faces)
+    for (const glm::dvec3& p : face.polygon) box.extend(p);
+  return box;
+}
+
+Polytope Polytope::from_box(const Box& box) {
+  if (box.empty()) return {};
+  const std::array<glm::dvec3, 8> c = box.corners();
+  Polytope result;
+  result.faces = {
+      {{{1, 0, 0}, -box.min.x}, {c[0], c[4], c[6], c[2]}}, {{{-1, 0, 0}, box.max.x}, {c[1], c[3], c[7], c[5]}},
+      {{{0, 1, 0}, -box.min.y}, {c[0], c[1], c[5], c[4]}}, {{{0, -1, 0}, box.max.y}, {c[2], c[6], c[7], c[3]}},
+      {{{0, 0, 1}, -box.min.z}, {c[0], c[2], c[3], c[1]}}, {{{0, 0, -1}, box.max.z}, {c[4], c[5], c[7], c[6]}},
+  };
+  return result;
+}
+
+Polytope clip(const Polytope& polytope, const Plane& plane) {
+  const double epsilon = tolerance(polytope, plane);
+  bool any_inside = false, any_outside = false;
+  for (const Polytope::Face& face : polytope.faces) {
+    for (const glm::dvec3& p : face.polygon) {
+      const Side side = side_of(plane.distance(p), epsilon);
+      any_inside |= side == Side::inside;
+      any_outside |= side == Side::outside;
+    }
+  }
+  if (!any_inside) return {};
+  if (!any_outside) return polytope;
+
+  Polytope result;
+  std::vector<glm::dvec3> cut;
+  for (const Polytope::Face& face : polytope.faces) {
+    std::vector<glm::dvec3> polygon = clip_polygon(face.polygon, plane, epsilon, cut);
+    if (!polygon.empty()) result.faces.push_back({face.plane, std::move(polygon)});
+  }
+  std::vector<glm::dvec3> closing = cap(std::move(cut), plane);
+  if (!closing.empty()) result.faces.push_back({plane, std::move(closing)});
+  return result;
+}
+
+Polytope clip(const Polytope& polytope, std::span<const Plane> planes) {
+  Polytope result = polytope;
+  for (const Plane& plane : planes) {
+    if (result.empty()) break;
+    result = clip(result, plane);
+  }
+  return result;
+}
+
+std::vector<Plane> frustum_planes(const glm::dmat4& clip_from_space) {
+  // Gribb and Hartmann (2001): each inequality is linear in the point, its coefficients are sums of the matrix's rows.
+  const glm::dmat4 rows = glm::transpose(clip_from_space);
+  const std::array<glm::dvec4, 6> inequalities = {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1],
+                                                  rows[3] - rows[1], rows[2],           rows[3] - rows[2]};
+  double longest = 0.0;
+  for (const glm::dvec4& p : inequalities) longest = std::max(longest, glm::length(glm::dvec3(p)));
+
+  std::vector<Plane> planes;
+  for (const glm::dvec4& p : inequalities) {
+    const double length = glm::length(glm::dvec3(p));
+    if (length > 1e-12 * longest) planes.push_back({glm::dvec3(p) / length, p.w / length});
+  }
+  return planes;
+}
+
+bool outside(const Box& box, std::span<const Plane> planes) {
+  if (box.empty()) return true;
+  for (const Plane& plane : planes) {
+    // The corner furthest along the normal: if even that is outside, all are.
+    const glm::dvec3 furthest(plane.normal.x > 0 ? box.max.x : box.min.x, plane.normal.y > 0 ? box.max.y : box.min.y,
+                              plane.normal.z > 0 ? box.max.z : box.min.z);
+    if (plane.distance(furthest) < 0) return true;
+  }
+  return false;
+}
+
+}  // namespace shadewright
