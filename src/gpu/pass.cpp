@@ -1,0 +1,155 @@
+#include "shadewright/gpu/pass.h"
+
+#include <array>
+
+namespace shadewright::gpu {
+
+namespace {
+
+vk::raii::ShaderModule make_shader(const Device& device, std::span<const uint32_t> spirv) {
+  return {device.handle(), vk::ShaderModuleCreateInfo({}, spirv.size_bytes(), spirv.data())};
+}
+
+vk::raii::PipelineLayout make_layout(const Device& device, const vk::raii::DescriptorSetLayout& pushed,
+                                     std::span<const vk::DescriptorSetLayout> sets, uint32_t push_bytes,
+                                     vk::ShaderStageFlags stages) {
+  std::vector<vk::DescriptorSetLayout> layouts{*pushed};
+  layouts.insert(layouts.end(), sets.begin(), sets.end());
+  const vk::PushConstantRange range(stages, 0, push_bytes);
+  vk::PipelineLayoutCreateInfo info({}, layouts);
+  if (push_bytes > 0) info.setPushConstantRanges(range);
+  return {device.handle(), info};
+}
+
+/// Descriptor writes with the storage that they point into.
+class Writes {
+ public:
+  explicit Writes(std::span<const Binding> bindings) : buffers_(bindings.size()), images_(bindings.size()) {
+    for (uint32_t i = 0; i < bindings.size(); ++i) {
+      const Binding& b = bindings[i];
+      vk::WriteDescriptorSet write({}, i, 0, 1, descriptor_type(b.kind));
+      if (b.buffer) {
+        buffers_[i] = vk::DescriptorBufferInfo(b.buffer, 0, VK_WHOLE_SIZE);
+        write.pBufferInfo = &buffers_[i];
+      } else {
+        images_[i] = vk::DescriptorImageInfo(b.sampler, b.view, b.layout);
+        write.pImageInfo = &images_[i];
+      }
+      writes_.push_back(write);
+    }
+  }
+  const std::vector<vk::WriteDescriptorSet>& list() const { return writes_; }
+
+ private:
+  std::vector<vk::DescriptorBufferInfo> buffers_;
+  std::vector<vk::DescriptorImageInfo> images_;
+  std::vector<vk::WriteDescriptorSet> writes_;
+};
+
+void bind_sets(const vk::raii::CommandBuffer& commands, vk::PipelineBindPoint point, const vk::raii::PipelineLayout& layout,
+               std::span<const Binding> bindings, std::span<const vk::DescriptorSet> sets) {
+  if (!bindings.empty()) commands.pushDescriptorSetKHR(point, *layout, 0, Writes(bindings).list());
+  if (!sets.empty())
+    commands.bindDescriptorSets(point, *layout, 1, vk::ArrayProxy(static_cast<uint32_t>(sets.size()), sets.data()), {});
+}
+
+void push_constants(const vk::raii::CommandBuffer& commands, const vk::raii::PipelineLayout& layout,
+                    vk::ShaderStageFlags stages, std::span<const std::byte> push) {
+  if (!push.empty()) commands.pushConstants<std::byte>(*layout, stages, 0, {static_cast<uint32_t>(push.size()), push.data()});
+}
+
+constexpr auto graphics_stages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
+
+}  // namespace
+
+vk::DescriptorType descriptor_type(BindingKind kind) {
+  switch (kind) {
+    case BindingKind::storage_buffer: return vk::DescriptorType::eStorageBuffer;
+    case BindingKind::uniform_buffer: return vk::DescriptorType::eUniformBuffer;
+    case BindingKind::sampled_image: return vk::DescriptorType::eCombinedImageSampler;
+    case BindingKind::storage_image: return vk::DescriptorType::eStorageImage;
+  }
+  return vk::DescriptorType::eStorageBuffer;
+}
+
+vk::raii::DescriptorSetLayout make_set_layout(const Device& device, std::span<const BindingKind> kinds,
+                                              vk::ShaderStageFlags stages, bool push) {
+  std::vector<vk::DescriptorSetLayoutBinding> bindings;
+  for (uint32_t i = 0; i < kinds.size(); ++i) bindings.push_back({i, descriptor_type(kinds[i]), 1, stages});
+  vk::DescriptorSetLayoutCreateInfo info({}, bindings);
+  if (push) info.flags = vk::DescriptorSetLayoutCreateFlagBits::ePushDescriptorKHR;
+  return {device.handle(), info};
+}
+
+vk::raii::Sampler make_sampler(const Device& device, vk::Filter filter) {
+  vk::SamplerCreateInfo info({}, filter, filter, vk::SamplerMipmapMode::eNearest);
+  info.addressModeU = info.addressModeV = info.addressModeW = vk::SamplerAddressMode::eClampToBorder;
+  info.borderColor = vk::BorderColor::eFloatOpaqueWhite;
+  return {device.handle(), info};
+}
+
+ComputePass::ComputePass(const Device& device, std::span<const uint32_t> spirv, std::vector<BindingKind> kinds,
+                         uint32_t push_bytes, std::span<const vk::DescriptorSetLayout> sets)
+    : kinds_(std::move(kinds)) {
+  set_layout_ = make_set_layout(device, kinds_, vk::ShaderStageFlagBits::eCompute, true);
+  layout_ = make_layout(device, set_layout_, sets, push_bytes, vk::ShaderStageFlagBits::eCompute);
+  const auto shader = make_shader(device, spirv);
+  const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *shader, "main");
+  pipeline_ = vk::raii::Pipeline(device.handle(), nullptr, vk::ComputePipelineCreateInfo({}, stage, *layout_));
+}
+
+void ComputePass::dispatch(const vk::raii::CommandBuffer& commands, std::span<const Binding> bindings,
+                           std::span<const std::byte> push, vk::Extent3D groups, std::span<const vk::DescriptorSet> sets) const {
+  commands.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline_);
+  bind_sets(commands, vk::PipelineBindPoint::eCompute, layout_, bindings, sets);
+  push_constants(commands, layout_, vk::ShaderStageFlagBits::eCompute, push);
+  commands.dispatch(groups.width, groups.height, groups.depth);
+}
+
+GraphicsPass::GraphicsPass(const Device& device, const GraphicsDesc& desc) : kinds_(desc.kinds) {
+  set_layout_ = make_set_layout(device, kinds_, graphics_stages, true);
+  layout_ = make_layout(device, set_layout_, desc.sets, desc.push_bytes, graphics_stages);
+  const auto vertex = make_shader(device, desc.vertex);
+  vk::raii::ShaderModule fragment{nullptr};
+  std::vector<vk::PipelineShaderStageCreateInfo> stages{{{}, vk::ShaderStageFlagBits::eVertex, *vertex, "main"}};
+  if (!desc.fragment.empty()) {
+    fragment = make_shader(device, desc.fragment);
+    stages.push_back({{}, vk::ShaderStageFlagBits::eFragment, *fragment, "main"});
+  }
+  const vk::VertexInputBindingDescription vertex_binding(0, 3 * sizeof(float));
+  const vk::VertexInputAttributeDescription position(0, 0, vk::Format::eR32G32B32Sfloat);
+  const vk::PipelineVertexInputStateCreateInfo vertex_input({}, vertex_binding, position);
+  const vk::PipelineInputAssemblyStateCreateInfo assembly({}, vk::PrimitiveTopology::eTriangleList);
+  const vk::PipelineViewportStateCreateInfo viewport({}, 1, nullptr, 1, nullptr);
+  vk::PipelineRasterizationStateCreateInfo raster;
+  raster.depthClampEnable = desc.depth_clamp;
+  raster.lineWidth = 1;
+  const vk::PipelineMultisampleStateCreateInfo multisample;
+  const vk::PipelineDepthStencilStateCreateInfo depth({}, VK_TRUE, VK_TRUE, desc.depth_compare);
+  vk::PipelineColorBlendAttachmentState opaque;
+  using Mask = vk::ColorComponentFlagBits;
+  opaque.colorWriteMask = Mask::eR | Mask::eG | Mask::eB | Mask::eA;
+  const std::vector<vk::PipelineColorBlendAttachmentState> attachments(desc.colors.size(), opaque);
+  const vk::PipelineColorBlendStateCreateInfo blend({}, VK_FALSE, {}, attachments);
+  const std::array dynamic_states{vk::DynamicState::eViewport, vk::DynamicState::eScissor};
+  const vk::PipelineDynamicStateCreateInfo dynamic({}, dynamic_states);
+  const vk::PipelineRenderingCreateInfo rendering(0, desc.colors, desc.depth);
+
+  vk::GraphicsPipelineCreateInfo info({}, stages, &vertex_input, &assembly, nullptr, &viewport, &raster, &multisample, &depth,
+                                      &blend, &dynamic, *layout_);
+  info.pNext = &rendering;
+  pipeline_ = vk::raii::Pipeline(device.handle(), nullptr, info);
+}
+
+void GraphicsPass::bind(const vk::raii::CommandBuffer& commands, std::span<const Binding> bindings,
+                        std::span<const std::byte> push, std::span<const vk::DescriptorSet> sets) const {
+  commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline_);
+  bind_sets(commands, vk::PipelineBindPoint::eGraphics, layout_, bindings, sets);
+  this->push(commands, push);
+}
+
+void GraphicsPass::push(const vk::raii::CommandBuffer& commands, std::span<const std::byte> push) const {
+  push_constants(commands, layout_, graphics_stages, push);
+}
+
+}  // namespace shadewright::gpu
