@@ -54,8 +54,10 @@ class Tracer {
 
   /// For each point 1 where the light reaches it, else 0. Points that are invalid, face away from the light, or lie outside a
   /// spot's cone get 0. `row_length` is the image's width if the points are an image (packets are then made of tiles), or 0.
-  /// Rays start off the surface by a bound of the float error of the point, along the normal (no scene constant).
-  std::vector<uint8_t> visible(std::span<const SurfacePoint> points, const Light& light, uint32_t row_length = 0) const;
+  /// Rays start off the surface by `position_error` of the point, along the normal (no scene constant); `eye` is the camera
+  /// that the points were seen from.
+  std::vector<uint8_t> visible(std::span<const SurfacePoint> points, const glm::vec3& eye, const Light& light,
+                               uint32_t row_length = 0) const;
 
   /// As `visible`, but the mean over `samples` positions in each pixel's footprint on the point's tangent plane
   /// (stratified, the same every run). `points` is the image of `grid`, row by row.
