@@ -1,0 +1,83 @@
+// A scene on the device: vertices, indices, instances and clusters, and the culled draws of them.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "shadewright/geometry/polytope.h"
+#include "shadewright/gpu/pass.h"
+#include "shadewright/gpu/resources.h"
+#include "shadewright/scene/scene.h"
+
+namespace shadewright::render {
+
+/// Device copy of a scene's geometry. Triangles are grouped into clusters of neighbours (meshoptimizer), so that a view draws
+/// only what it may see. Instances of one mesh share its vertices.
+class SceneGpu {
+ public:
+  /// Uploads `scene` as it stands at `time` seconds, and waits.
+  SceneGpu(const gpu::Device& device, const Scene& scene, double time = 0);
+
+  const gpu::Device& device() const { return device_; }
+  /// World bounds of all instances.
+  const Box& bounds() const { return bounds_; }
+  /// World bounds of each instance.
+  std::span<const Box> instance_bounds() const { return instance_bounds_; }
+  uint64_t triangle_count() const { return triangle_count_; }
+
+  const gpu::Buffer& positions() const { return positions_; }          ///< float3 a vertex, mesh space
+  const gpu::Buffer& indices() const { return indices_; }              ///< uint32, cluster after cluster
+  const gpu::Buffer& triangle_normals() const { return normals_; }     ///< octahedral 2 x snorm16 a triangle, mesh space
+  const gpu::Buffer& instances() const { return instances_; }          ///< shared::InstanceData
+  const gpu::Buffer& clusters() const { return clusters_; }            ///< shared::ClusterData
+  uint32_t cluster_count() const { return cluster_count_; }
+  /// Sum over clusters of how many instances show them: the longest list of visible instances.
+  uint32_t list_capacity() const { return list_capacity_; }
+  /// A world-space point of each cluster's nearest instance is found from these: centres of clusters shown once, else the
+  /// mesh's instances' centres. Used to draw front to back.
+  std::vector<uint32_t> front_to_back(const glm::dvec3& eye) const;
+
+  std::vector<gpu::Allocation> allocations() const;
+
+ private:
+  const gpu::Device& device_;
+  Box bounds_;
+  std::vector<Box> instance_bounds_;
+  uint64_t triangle_count_ = 0;
+  uint32_t cluster_count_ = 0, list_capacity_ = 0;
+  std::vector<glm::vec3> cluster_centers_;  ///< world, of the cluster's first instance
+  std::vector<glm::uvec2> cluster_instances_;  ///< first, count
+  std::vector<glm::vec3> instance_centers_;    ///< in device order
+  gpu::Buffer positions_, indices_, normals_, instances_, clusters_;
+};
+
+/// The draws of one consumer (a camera, a light's views): culled on the device into indirect commands.
+class CulledDraws {
+ public:
+  /// Room for `max_views` views of `scene`, for each of `frames_in_flight` frames. `name` prefixes the allocations' names.
+  CulledDraws(const SceneGpu& scene, uint32_t max_views, uint32_t frames_in_flight, const std::string& name);
+
+  /// What each view must contain: at most 10 half-spaces a view, world space. `order` lists the clusters in drawing order
+  /// (empty = as stored). Written for the frame `slot` < frames_in_flight; host writes only.
+  void set_views(uint32_t slot, std::span<const std::vector<Plane>> views, std::span<const uint32_t> order = {});
+
+  /// Culls all views of `slot`. A barrier must follow before `draw`.
+  void cull(const vk::raii::CommandBuffer& commands, uint32_t slot) const;
+  /// Draws what survived in `view`; the graphics pass with its bindings is bound by the caller.
+  void draw(const vk::raii::CommandBuffer& commands, uint32_t view) const;
+
+  const gpu::Buffer& visible() const { return visible_; }  ///< instance indices, read at gl_InstanceIndex
+  const gpu::Buffer& commands() const { return draws_; }   ///< shared::DrawCommand, read at view * cluster_count + gl_DrawID
+  std::vector<gpu::Allocation> allocations() const;
+
+ private:
+  const SceneGpu& scene_;
+  uint32_t max_views_;
+  std::vector<uint32_t> view_counts_;  ///< by slot
+  gpu::ComputePass pass_;
+  std::vector<gpu::Buffer> views_, order_;  ///< by slot, host-written
+  gpu::Buffer draws_, visible_;
+};
+
+}  // namespace shadewright::render

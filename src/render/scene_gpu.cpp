@@ -1,0 +1,165 @@
+#include "shadewright/render/scene_gpu.h"
+
+#include <meshoptimizer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/packing.hpp>
+#include <numeric>
+
+#include "render/shared.h"
+
+namespace shadewright::render {
+
+namespace {
+
+// Large clusters: each is a draw, and a draw has a price of its own; limits of meshoptimizer 0.18.
+constexpr size_t max_cluster_vertices = 255, max_cluster_triangles = 512;
+
+struct MeshClusters {
+  std::vector<glm::uvec3> triangles;  ///< in cluster order
+  std::vector<uint32_t> first;        ///< first triangle of each cluster
+};
+
+MeshClusters make_clusters(const Mesh& mesh) {
+  if (mesh.triangles.size() <= max_cluster_triangles) return {mesh.triangles, {0}};
+  const size_t index_count = 3 * mesh.triangles.size();
+  const auto* indices = reinterpret_cast<const uint32_t*>(mesh.triangles.data());
+  const size_t bound = meshopt_buildMeshletsBound(index_count, max_cluster_vertices, max_cluster_triangles);
+  std::vector<meshopt_Meshlet> meshlets(bound);
+  std::vector<uint32_t> vertices(bound * max_cluster_vertices);
+  std::vector<unsigned char> corners(bound * max_cluster_triangles * 3);
+  meshlets.resize(meshopt_buildMeshlets(meshlets.data(), vertices.data(), corners.data(), indices, index_count,
+                                        &mesh.positions.front().x, mesh.positions.size(), sizeof(glm::vec3),
+                                        max_cluster_vertices, max_cluster_triangles, 0.0f));
+  MeshClusters result;
+  result.triangles.reserve(mesh.triangles.size());
+  for (const meshopt_Meshlet& meshlet : meshlets) {
+    result.first.push_back(static_cast<uint32_t>(result.triangles.size()));
+    for (uint32_t t = 0; t < meshlet.triangle_count; ++t) {
+      const auto corner = [&](uint32_t k) {
+        return vertices[meshlet.vertex_offset + corners[meshlet.triangle_offset + 3 * t + k]];
+      };
+      result.triangles.emplace_back(corner(0), corner(1), corner(2));
+    }
+  }
+  return result;
+}
+
+glm::vec2 octahedral(const glm::vec3& n) {
+  const glm::vec2 p = glm::vec2(n) / (std::abs(n.x) + std::abs(n.y) + std::abs(n.z));
+  if (n.z >= 0) return p;
+  return (1.0f - glm::abs(glm::vec2(p.y, p.x))) * glm::vec2(p.x >= 0 ? 1.0f : -1.0f, p.y >= 0 ? 1.0f : -1.0f);
+}
+
+uint32_t packed_normal(const Mesh& mesh, const glm::uvec3& triangle) {
+  const glm::dvec3 a(mesh.positions[triangle.x]), b(mesh.positions[triangle.y]), c(mesh.positions[triangle.z]);
+  return glm::packSnorm2x16(octahedral(glm::vec3(glm::normalize(glm::cross(b - a, c - a)))));
+}
+
+shared::InstanceData instance_data(const glm::dmat4& world_from_mesh, const Instance& instance) {
+  shared::InstanceData data;
+  data.world_from_mesh = glm::mat4x3(glm::mat4(world_from_mesh));
+  // Scaled so that its largest column is near 1: tiny or huge instances would overflow a float inverse transpose.
+  const glm::dmat3 normals = glm::transpose(glm::inverse(glm::dmat3(world_from_mesh)));
+  const double scale = std::max({glm::length(normals[0]), glm::length(normals[1]), glm::length(normals[2])});
+  data.normal_from_mesh = glm::mat3(normals / scale);
+  data.albedo = instance.albedo;
+  data.moving = instance.motion ? 1 : 0;
+  return data;
+}
+
+}  // namespace
+
+SceneGpu::SceneGpu(const gpu::Device& device, const Scene& scene, double time) : device_(device) {
+  // Instances of one mesh side by side, in the scene's order.
+  std::vector<uint32_t> instance_order(scene.instances.size());
+  std::iota(instance_order.begin(), instance_order.end(), 0u);
+  std::stable_sort(instance_order.begin(), instance_order.end(),
+                   [&](uint32_t a, uint32_t b) { return scene.instances[a].mesh < scene.instances[b].mesh; });
+  std::vector<Box> mesh_bounds;
+  for (const Mesh& mesh : scene.meshes) mesh_bounds.push_back(shadewright::bounds(mesh));
+
+  std::vector<shared::InstanceData> instances;
+  std::vector<glm::uvec2> mesh_instances(scene.meshes.size(), glm::uvec2(0));
+  instance_bounds_.resize(scene.instances.size());
+  for (const uint32_t index : instance_order) {
+    const Instance& instance = scene.instances[index];
+    const glm::dmat4 world_from_mesh = transform_at(scene, instance, time);
+    if (mesh_instances[instance.mesh].y++ == 0) mesh_instances[instance.mesh].x = static_cast<uint32_t>(instances.size());
+    instances.push_back(instance_data(world_from_mesh, instance));
+    instance_bounds_[index] = transform(world_from_mesh, mesh_bounds[instance.mesh]);
+    instance_centers_.emplace_back(instance_bounds_[index].center());
+    bounds_.extend(instance_bounds_[index]);
+  }
+
+  std::vector<glm::vec3> positions;
+  std::vector<glm::uvec3> triangles;
+  std::vector<uint32_t> normals;
+  std::vector<shared::ClusterData> clusters;
+  for (size_t m = 0; m < scene.meshes.size(); ++m) {
+    const Mesh& mesh = scene.meshes[m];
+    const glm::uvec2 shown = mesh_instances[m];
+    if (shown.y == 0 || mesh.triangles.empty()) continue;
+    const auto base = static_cast<uint32_t>(positions.size());
+    positions.insert(positions.end(), mesh.positions.begin(), mesh.positions.end());
+    const MeshClusters parts = make_clusters(mesh);
+    triangle_count_ += mesh.triangles.size() * shown.y;
+    for (size_t c = 0; c < parts.first.size(); ++c) {
+      const uint32_t begin = parts.first[c];
+      const auto end = c + 1 < parts.first.size() ? parts.first[c + 1] : static_cast<uint32_t>(parts.triangles.size());
+      Box box;
+      const auto first_index = static_cast<uint32_t>(3 * triangles.size());
+      for (uint32_t t = begin; t < end; ++t) {
+        const glm::uvec3 triangle = parts.triangles[t];
+        for (int k = 0; k < 3; ++k) box.extend(glm::dvec3(mesh.positions[triangle[k]]));
+        triangles.push_back(triangle + base);
+        normals.push_back(packed_normal(mesh, triangle));
+      }
+      clusters.push_back({glm::vec3(box.center()), glm::vec3(0.5 * box.size()), first_index, 3 * (end - begin), shown.x, shown.y,
+                          list_capacity_});
+      list_capacity_ += shown.y;
+      cluster_centers_.push_back(instances[shown.x].world_from_mesh * glm::vec4(glm::vec3(box.center()), 1.0f));
+      cluster_instances_.push_back(shown);
+    }
+  }
+  cluster_count_ = static_cast<uint32_t>(clusters.size());
+
+  positions_ = gpu::make_buffer<glm::vec3>(device, "scene positions", positions);
+  indices_ = gpu::make_buffer<glm::uvec3>(device, "scene indices", triangles);
+  normals_ = gpu::make_buffer<uint32_t>(device, "scene triangle normals", normals);
+  instances_ = gpu::make_buffer<shared::InstanceData>(device, "scene instances", instances);
+  clusters_ = gpu::make_buffer<shared::ClusterData>(device, "scene clusters", clusters);
+}
+
+std::vector<uint32_t> SceneGpu::front_to_back(const glm::dvec3& eye) const {
+  const glm::vec3 from(eye);
+  const auto squared = [&](const glm::vec3& p) { return glm::dot(p - from, p - from); };
+  // A mesh shown many times is drawn by one command: its nearest instance speaks for it, found once a mesh.
+  std::vector<std::pair<float, uint32_t>> keys(cluster_count_);
+  glm::uvec2 last(~0u);
+  float nearest = 0;
+  for (uint32_t c = 0; c < cluster_count_; ++c) {
+    const glm::uvec2 shown = cluster_instances_[c];
+    if (shown.y == 1) {
+      keys[c] = {squared(cluster_centers_[c]), c};
+      continue;
+    }
+    if (shown != last) {
+      nearest = std::numeric_limits<float>::infinity();
+      for (uint32_t i = 0; i < shown.y; ++i) nearest = std::min(nearest, squared(instance_centers_[shown.x + i]));
+      last = shown;
+    }
+    keys[c] = {nearest, c};
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<uint32_t> order(cluster_count_);
+  std::transform(keys.begin(), keys.end(), order.begin(), [](const auto& key) { return key.second; });
+  return order;
+}
+
+std::vector<gpu::Allocation> SceneGpu::allocations() const {
+  return {positions_.allocation(), indices_.allocation(), normals_.allocation(), instances_.allocation(), clusters_.allocation()};
+}
+
+}  // namespace shadewright::render

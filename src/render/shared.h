@@ -1,0 +1,74 @@
+// Structs that C++ and GLSL share, written once. GLSL reads them with scalar layout, which is C++'s own for these members.
+#ifndef SHADEWRIGHT_RENDER_SHARED_H
+#define SHADEWRIGHT_RENDER_SHARED_H
+
+#ifdef __cplusplus
+#include <cstdint>
+#include <glm/glm.hpp>
+namespace shadewright::shared {
+using glm::mat3;
+using glm::mat4;
+using glm::mat4x3;
+using glm::uvec2;
+using glm::vec2;
+using glm::vec3;
+using glm::vec4;
+using uint = uint32_t;
+#endif
+
+/// One placing of a mesh.
+struct InstanceData {
+  mat4x3 world_from_mesh;
+  mat3 normal_from_mesh;  // inverse transpose, world directions of mesh normals
+  vec3 albedo;
+  uint moving;
+};
+
+/// A few hundred neighbouring triangles of a mesh with their box in mesh space, and which instances show them.
+struct ClusterData {
+  vec3 center;
+  vec3 half_extent;
+  uint first_index;  // into the index buffer
+  uint index_count;
+  uint first_instance;  // instances of one mesh lie side by side
+  uint instance_count;
+  uint list_base;  // where this cluster's visible instances are listed
+};
+
+const uint max_cull_planes = 10;
+
+/// What one view draws: clusters inside all planes (world space, inside is positive).
+struct CullView {
+  vec4 planes[max_cull_planes];
+  uint plane_count;
+};
+
+/// VkDrawIndexedIndirectCommand.
+struct DrawCommand {
+  uint index_count;
+  uint instance_count;
+  uint first_index;
+  int vertex_offset;
+  uint first_instance;
+};
+
+struct CullConstants {
+  uint cluster_count;
+  uint list_capacity;  // per view
+};
+
+/// A camera as the shaders need it. Positions relative to the eye keep float precise far from the origin.
+struct CameraData {
+  mat4 clip_from_relative;  // clip from (world - eye)
+  mat3 ray_from_ndc;        // (ndc.x, ndc.y, 1) to the world direction whose view depth is 1
+  vec3 eye;
+  float depth_scale;   // depth = depth_scale + depth_offset / view_depth, whatever the convention
+  float depth_offset;
+  float background_depth;  // what the depth buffer holds where nothing was drawn
+  uvec2 size;
+};
+
+#ifdef __cplusplus
+}  // namespace shadewright::shared
+#endif
+#endif
