@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
-#include <span>
 #include <type_traits>
 #include <vector>
 
@@ -27,6 +26,17 @@ struct RtcRelease {
 template <typename Handle>
 using RtcPtr = std::unique_ptr<std::remove_pointer_t<Handle>, RtcRelease>;
 
+/// The triangles of one Embree geometry: buffers that Embree owns.
+struct RayTriangles {
+  const glm::vec3* positions = nullptr;
+  const glm::uvec3* triangles = nullptr;
+
+  std::array<glm::vec3, 3> corners(uint32_t triangle) const {
+    const glm::uvec3& corner = triangles[triangle];
+    return {positions[corner.x], positions[corner.y], positions[corner.z]};
+  }
+};
+
 class RayScene {
  public:
   /// Scenes of more triangles than this are instanced instead of flattened: 4 million take about 1 GB flattened.
@@ -42,30 +52,28 @@ class RayScene {
   /// World positions of a triangle's corners, the same floats whether flattened or instanced.
   std::array<glm::vec3, 3> world_triangle(uint32_t instance, uint32_t triangle) const {
     const Placed& placed = placed_[instance];
-    const glm::uvec3& corner = placed.triangles[triangle];
-    std::array<glm::vec3, 3> result{placed.positions[corner.x], placed.positions[corner.y], placed.positions[corner.z]};
+    std::array<glm::vec3, 3> corners = geometries_[placed.geometry].corners(triangle);
     if (instanced_)
-      for (glm::vec3& p : result) p = to_world(placed.world_from_mesh, p);
-    return result;
+      for (glm::vec3& corner : corners) corner = to_world(placed.world_from_mesh, corner);
+    return corners;
   }
 
  private:
-  // What Embree holds of an instance; its buffers live as long as the scene.
   struct Placed {
-    const glm::vec3* positions = nullptr;  ///< in world space when flattened, else in the mesh's
-    const glm::uvec3* triangles = nullptr;
+    size_t geometry = 0;  ///< index into geometries_
     glm::mat4 world_from_mesh{1.0f};
   };
   // As a vertex shader does it: float matrix times float position.
   static glm::vec3 to_world(const glm::mat4& world_from_mesh, const glm::vec3& p) {
     return glm::vec3(world_from_mesh * glm::vec4(p, 1.0f));
   }
-  void add_flattened(const Scene& scene, std::span<const RtcPtr<RTCBuffer>> triangles);
-  void add_instanced(const Scene& scene, std::span<const RtcPtr<RTCBuffer>> triangles);
+  void add_flattened(const Scene& scene);
+  void add_instanced(const Scene& scene);
 
   RtcPtr<RTCDevice> device_;
   RtcPtr<RTCScene> scene_;
-  std::vector<Placed> placed_;  ///< an entry per Scene::instances
+  std::vector<RayTriangles> geometries_;  ///< by instance when flattened, by mesh when instanced
+  std::vector<Placed> placed_;            ///< by instance
   bool instanced_;
 };
 
