@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "shadewright/scene/scene.h"
+#include "scene/conditioning.h"
 
 namespace shadewright {
 namespace {
@@ -58,6 +58,23 @@ bool has_area(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
 
 }  // namespace
 
+void drop_unused_vertices(Mesh& mesh) {
+  constexpr uint32_t unused = std::numeric_limits<uint32_t>::max();
+  std::vector<uint32_t> new_index(mesh.positions.size(), unused);
+  for (const glm::uvec3& triangle : mesh.triangles)
+    for (int corner = 0; corner < 3; ++corner) new_index[triangle[corner]] = 0;
+  uint32_t count = 0;
+  for (size_t i = 0; i < new_index.size(); ++i) {
+    if (new_index[i] == unused) continue;
+    mesh.positions[count] = mesh.positions[i];
+    new_index[i] = count++;
+  }
+  if (count == mesh.positions.size()) return;
+  mesh.positions.resize(count);
+  mesh.positions.shrink_to_fit();
+  for (glm::uvec3& t : mesh.triangles) t = {new_index[t.x], new_index[t.y], new_index[t.z]};
+}
+
 void recentre(Scene& scene) {
   recentre_meshes(scene);
   const glm::dvec3 shift = shift_to_zero(bounds(scene));
@@ -103,6 +120,7 @@ size_t drop_degenerate_triangles(Scene& scene) {
       if (t.x >= count || t.y >= count || t.z >= count || t.x == t.y || t.y == t.z || t.z == t.x) return true;
       return !has_area(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]);
     });
+    drop_unused_vertices(mesh);
     new_index.push_back(mesh.triangles.empty() ? dropped_mesh : static_cast<uint32_t>(kept_meshes.size()));
     if (!mesh.triangles.empty()) kept_meshes.push_back(std::move(mesh));
   }

@@ -31,8 +31,8 @@ struct BuiltinScene {
 /// All of them, by name.
 std::span<const BuiltinScene> builtin_scenes();
 
-/// Builds "NAME[?key=value&...]" (without the "builtin:" prefix). InputError names unknown scenes, keys and values out of
-/// range, and lists what there is.
+/// Builds "NAME[?key=value&...]" (without the "builtin:" prefix). InputError names unknown scenes, keys and values out
+/// of range, and lists what there is.
 Scene make_builtin(std::string_view name_and_query);
 
 }  // namespace shadewright

@@ -11,19 +11,20 @@
 
 namespace shadewright {
 
-/// A scene with what a person should be told about how it was read (dropped triangles, masked materials drawn opaque, ...).
+/// A scene with what a person should be told about how it was read (dropped triangles, masked materials drawn opaque,
+/// ...).
 struct LoadedScene {
   Scene scene;
   std::vector<std::string> warnings;  ///< one sentence each
 };
 
-/// Reads `source`: a file (glTF, GLB, OBJ, anything assimp reads; Z-up files are turned) or "builtin:NAME[?key=value&...]".
-/// Shared geometry stays shared, node transforms are composed in double. Throws InputError, one sentence, for anything that
-/// is missing, empty, truncated, not a scene, or without triangles.
+/// Reads `source`: a file (glTF, GLB, OBJ, anything assimp reads; Z-up files are turned) or
+/// "builtin:NAME[?key=value&...]". Shared geometry stays shared, node transforms are composed in double. Throws
+/// InputError, one sentence, for anything that is missing, empty, truncated, not a scene, or without triangles.
 LoadedScene load_scene(const std::string& source, const Progress& progress = no_progress);
 
-/// Writes `scene` as a binary glTF that loads back to the same geometry, cameras and lights (KHR_lights_punctual), rigid
-/// motions as node animations. Written beside and renamed: on failure nothing is left. Throws FailureError.
+/// Writes `scene` as a binary glTF that loads back to the same geometry, cameras and lights (KHR_lights_punctual),
+/// rigid motions as node animations. Written beside and renamed: on failure nothing is left. Throws FailureError.
 void write_glb(const Scene& scene, const std::filesystem::path& file);
 
 }  // namespace shadewright

@@ -116,8 +116,8 @@ Camera camera_at(const CameraPath& path, double time);
 /// that float positions lose nothing. Scenes near zero stay as they are, bit for bit.
 void recentre(Scene& scene);
 
-/// Drops triangles that are degenerate (repeated index, zero area) or not finite, and meshes and instances left without
-/// any. Returns how many triangles were dropped.
+/// Drops triangles that are degenerate (repeated index, zero area) or not finite, vertices that no triangle uses, and
+/// meshes and instances left without any. Returns how many triangles were dropped.
 size_t drop_degenerate_triangles(Scene& scene);
 
 }  // namespace shadewright
