@@ -23,6 +23,12 @@ std::optional<std::vector<double>> find_numbers(const json& object, const char* 
   return numbers;
 }
 
+std::vector<double> get_numbers(const json& object, const char* key, size_t count) {
+  auto numbers = find_numbers(object, key, count);
+  if (!numbers) throw BadMember(std::string("\"") + key + "\" is missing");
+  return std::move(*numbers);
+}
+
 double number_or(const json& object, const char* key, double otherwise) {
   const json* member = find_member(object, key);
   return member ? member->get<double>() : otherwise;
@@ -193,7 +199,7 @@ class Reader {
       CameraPath path;
       path.name = name_of(json_path);
       for (const json& json_key : json_path.at("keys")) {
-        const auto vector = [&](const char* key) { return vec3(find_numbers(json_key, key, 3).value()); };
+        const auto vector = [&](const char* key) { return vec3(get_numbers(json_key, key, 3)); };
         const double time = json_key.at("time").get<double>();
         if (!path.times.empty() && !(time > path.times.back()))
           throw file_.error("has a camera path with unsorted keys");
