@@ -8,6 +8,10 @@
 namespace shadewright {
 namespace {
 
+// Radians that a point's normal may be off: twice 16-bit octahedral (3.5e-5 each), as the camera pass stores it. It
+// tilts the tangent plane, which at a grazing view reaches far.
+constexpr float normal_error = 0x1p-13f;
+
 // Two independent scrambles of a pixel's samples, from a 64-bit mix of its index (MurmurHash3's finalizer).
 glm::uvec2 scramble(uint64_t pixel) {
   uint64_t h = pixel + 0x9e3779b97f4a7c15u;
@@ -94,7 +98,8 @@ std::vector<float> visible_supersampled(const RayScene& scene, std::span<const S
         for (uint32_t lane = 0; lane < std::min(packet_size, samples - first); ++lane) {
           const glm::vec3 position(plane.at(sample_offset(first + lane, scrambled)));
           if (!ray.reaches(position, point.normal)) continue;
-          const glm::vec3 origin = position + point.normal * position_error(position, eye);
+          const float off_plane = normal_error * glm::distance(position, point.position);
+          const glm::vec3 origin = position + point.normal * (position_error(position, eye) + off_plane);
           packet.set(lane, origin, glm::vec3(ray.towards(origin)), ray.length());
         }
         packet.trace(scene);

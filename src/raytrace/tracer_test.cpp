@@ -269,9 +269,11 @@ TEST(Tracer, SupersamplingKeepsAGrazingFloorLit) {
   scene.instances.resize(1);
   const Tracer tracer(scene);
   const PixelGrid grid = grid_from({0, 1, 0}, {100, 0, 30});
-  const std::vector<SurfacePoint> points = surface_points(grid, tracer.primary(grid, 0.01));
+  std::vector<SurfacePoint> points = surface_points(grid, tracer.primary(grid, 0.01));
+  for (size_t i = 0; i < points.size(); ++i)  // normals as coarse as a camera pass may store them
+    if (points[i].valid()) points[i].normal = glm::normalize(glm::vec3(i % 2 ? 7e-5f : -7e-5f, 1, i % 3 ? 0 : 7e-5f));
   const std::vector<float> lit = tracer.visible_supersampled(points, grid, sun(35, 5), 4);
-  for (size_t i = 0; i < points.size(); ++i) EXPECT_EQ(lit[i], points[i].valid() ? 1.0f : 0.0f);
+  for (size_t i = 0; i < points.size(); ++i) EXPECT_EQ(lit[i], points[i].valid() ? 1.0f : 0.0f) << "pixel " << i;
 }
 
 TEST(Tracer, ResultsDoNotDependOnThreads) {
