@@ -3,7 +3,7 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 #include "render/shared.h"
-#include "render/camera.glsl"
+#include "render/octahedral.glsl"
 
 layout(location = 0) flat in uint instance_index;
 layout(location = 1) flat in uint first_triangle;

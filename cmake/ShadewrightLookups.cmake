@@ -1,0 +1,47 @@
+# Generates the shaders of each combination of the three axes from templates with one include an axis, and the table by which
+# the library finds them. Call shadewright_combination for each legal one, then shadewright_lookup_table once.
+
+set(shadewright_lookup_includes "" CACHE INTERNAL "")
+set(shadewright_lookup_entries "" CACHE INTERNAL "")
+set(shadewright_oracle_entries "" CACHE INTERNAL "")
+set(shadewright_caster_entries "" CACHE INTERNAL "")
+
+# One generated shader: TEMPLATE with @parameterization@ etc. of the calling scope, embedded as NAME and listed in LIST as KEY.
+macro(_shadewright_generate template name list key)
+  if(NOT TARGET shader_${name})
+    configure_file("${template}" "${PROJECT_BINARY_DIR}/generated/${name}.${stage}" @ONLY)
+    shadewright_shader(shadewright_render "${PROJECT_BINARY_DIR}/generated/${name}.${stage}" NAME ${name})
+    set(shadewright_lookup_includes "${shadewright_lookup_includes}#include \"shaders/${name}.h\"\n" CACHE INTERNAL "")
+    set(${list} "${${list}}    {\"${key}\", ${name}},\n" CACHE INTERNAL "")
+  endif()
+endmacro()
+
+function(shadewright_combination parameterization storage filter)
+  set(room "${PROJECT_SOURCE_DIR}/src/shadow")
+  set(stage comp)
+  _shadewright_generate("${room}/lookup.comp.in" lookup_${parameterization}_${storage}_${filter} shadewright_lookup_entries
+                        ${parameterization}/${storage}/${filter})
+  _shadewright_generate("${room}/oracle.comp.in" oracle_${parameterization} shadewright_oracle_entries ${parameterization})
+  set(stage vert)
+  _shadewright_generate("${room}/storage/${storage}/casters.vert.in" casters_${parameterization}_${storage}
+                        shadewright_caster_entries ${parameterization}/${storage})
+endfunction()
+
+function(shadewright_lookup_table)
+  set(entry "inline constexpr std::pair<std::string_view, std::span<const uint32_t>>")
+  file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/shaders/shaders/lookup_table.h" CONTENT "#pragma once
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <utility>
+${shadewright_lookup_includes}
+namespace shadewright::shaders {
+${entry} lookups[] = {
+${shadewright_lookup_entries}};
+${entry} oracles[] = {
+${shadewright_oracle_entries}};
+${entry} casters[] = {
+${shadewright_caster_entries}};
+}
+" @ONLY)
+endfunction()

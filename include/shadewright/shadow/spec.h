@@ -1,0 +1,59 @@
+// A spec names a technique: parameterization/storage/filter@resolution,key=value,... (architecture, section 1).
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace shadewright::shadow {
+
+/// A parsed spec. Every key is known, belongs to a part of this technique and is in range.
+struct Spec {
+  std::string text;              ///< as given
+  std::string parameterization;  ///< "uniform", ..., or "precomputed", or "ray"
+  std::string storage, filter;   ///< empty for "precomputed" and "ray"
+  uint32_t resolution = 0;       ///< texels per axis; 0 where it has no meaning ("ray")
+  std::map<std::string, std::string, std::less<>> values;  ///< as given, defaults left out
+
+  /// The whole spec with aliases written out, keys in alphabetical order: "uniform/depth/pcf@2048,radius=2".
+  std::string canonical() const;
+
+  /// The value of `key`, or its default. Logic error for an unknown key or another type.
+  double number(std::string_view key) const;
+  std::string choice(std::string_view key) const;
+};
+
+/// One key of a spec.
+struct SpecKey {
+  std::string name;
+  std::string owner;  ///< "map" (every map technique) or a parameterization, storage or filter
+  std::vector<std::string> choices;  ///< empty: a number
+  double min = 0, max = 0;
+  bool integer = false;
+  std::string default_value;
+  std::string help;
+};
+
+/// All keys there are.
+std::span<const SpecKey> spec_keys();
+
+/// An alias and what it stands for ("pcf", "uniform/depth/pcf").
+struct SpecAlias {
+  std::string name, spec;
+};
+std::span<const SpecAlias> spec_aliases();
+
+/// Parses one spec. InputError says what is wrong with it, with an example that works; combinations that make no sense, and
+/// parts that are not built yet, are refused by name.
+Spec parse_spec(std::string_view text);
+
+/// Expands a sweep "sm@512..4096" into specs at each power of two from the first to the last; others stand for themselves.
+std::vector<std::string> expand_sweep(std::string_view text);
+
+/// The table of aliases, parts, keys and legal combinations, for `--help-spec`.
+std::string spec_help();
+
+}  // namespace shadewright::shadow

@@ -1,0 +1,110 @@
+// The one interface of all techniques: a frame goes in, a visibility image comes out (architecture, section 3).
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <glm/glm.hpp>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "shadewright/gpu/recorder.h"
+#include "shadewright/gpu/resources.h"
+#include "shadewright/render/camera_pass.h"
+#include "shadewright/render/scene_gpu.h"
+#include "shadewright/scene/scene.h"
+#include "shadewright/shadow/spec.h"
+
+namespace shadewright::shadow {
+
+/// One thing to draw casters into: a layer of the shadow map through one matrix.
+struct MapView {
+  glm::dmat4 light_from_world{1.0};  ///< light clip space; depth grows away from the light
+  std::vector<Plane> casters;        ///< half-spaces that hold every caster that can matter in this view, world space
+  uint32_t layer = 0;
+  vk::Rect2D viewport;
+  bool drawn = true;  ///< false: nothing receives here, the layer is only cleared
+};
+
+/// What a caller's own casters are drawn with. The rendering has begun (depth only, D32, depth clamp is the pipeline's), the
+/// viewport is set. The pipeline's layout must have `set_layout` as set `set_index` and its vertex shader include the
+/// technique's parameterization GLSL (see Technique::caster_include) and end with gl_Position = map_caster(world, view).
+struct CasterDraw {
+  const vk::raii::CommandBuffer& commands;
+  uint32_t view = 0;  ///< index for map_caster
+  const MapView& map_view;
+  vk::DescriptorSet set;
+  uint32_t set_index = 1;
+};
+using CasterCallback = std::function<void(const CasterDraw&)>;
+
+/// What a technique works on. Everything referred to stays alive until the recorded commands have run.
+struct Frame {
+  const render::SceneGpu* scene = nullptr;  ///< casters and bounds; may be null when `draw_casters` draws them all
+  CasterCallback draw_casters;              ///< casters of the caller's own, in addition
+  Box draw_bounds;                          ///< world bounds of those
+  render::CameraView camera;
+  vk::ImageView depth;   ///< the camera's depth (D32), in shader-read layout
+  vk::ImageView normal;  ///< geometric world normals towards the camera, octahedral (RG16 snorm), in shader-read layout
+  Light light;
+  uint64_t index = 0;  ///< of the frame; per-frame buffers are used in turns of `frames_in_flight`
+};
+
+struct TechniqueOptions {
+  uint32_t width = 0, height = 0;  ///< of the camera's buffers and the visibility image, pixels
+  uint32_t frames_in_flight = 2;
+  bool allow_readback = true;  ///< false: techniques that would wait for the device in `prepare` are refused
+};
+
+/// Named results of a frame: one number or several ("effective_resolution": 2048, 2048).
+using Counters = std::map<std::string, std::vector<double>>;
+
+/// For the oracle: per pixel, row by row, the point from which the light must be seen (x infinite: lit without asking), and a
+/// texel's half extents on the receiver. World space.
+struct OracleRays {
+  std::vector<glm::vec3> origins, texel_u, texel_v;
+};
+
+class Technique {
+ public:
+  virtual ~Technique() = default;
+
+  /// Finds matrices and whatever else the frame needs. May submit and wait (then the camera's buffers must be complete), unless
+  /// readback was forbidden. InputError for a light or camera this technique can't serve.
+  virtual void prepare(const Frame& frame, gpu::Recorder& recorder) = 0;
+  /// Records map and look-up; never submits or waits. The visibility image is left in shader-read layout.
+  virtual void record(const Frame& frame, gpu::Recorder& recorder) = 0;
+  /// The same into a command buffer of the caller's.
+  void record(const Frame& frame, VkCommandBuffer commands);
+
+  /// True if `prepare` submits and waits.
+  virtual bool needs_readback() const { return false; }
+  /// R8, 1 = lit, of the size in the options. Pixels without geometry are lit, faces turned away are not.
+  virtual gpu::Image& visibility() = 0;
+  virtual std::vector<gpu::Allocation> allocations() const = 0;
+  virtual Counters counters() const { return {}; }
+
+  /// The views of the last prepared frame.
+  virtual std::span<const MapView> views() const { return {}; }
+  /// Layout of the set that a caller's casters, and shaders that include the look-up, bind; null where there is none.
+  virtual vk::DescriptorSetLayout lookup_layout() const { return {}; }
+  /// That set for `frame`.
+  virtual vk::DescriptorSet lookup_set(const Frame&) const { return {}; }
+  /// Paths below the installed GLSL folder to include, in this order, for map_caster (first) and filter_visible (all).
+  virtual std::vector<std::string> lookup_includes() const { return {}; }
+
+  /// Reads the oracle's rays of the last recorded frame back and waits; none for techniques without an oracle.
+  virtual std::optional<OracleRays> oracle_rays(const Frame&) { return std::nullopt; }
+
+ protected:
+  explicit Technique(const gpu::Device& device) : device_(device) {}
+  const gpu::Device& device_;
+};
+
+/// Builds the technique that `spec` names. InputError where the options forbid what it needs.
+std::unique_ptr<Technique> make_technique(const gpu::Device& device, const Spec& spec, const TechniqueOptions& options);
+
+}  // namespace shadewright::shadow

@@ -1,0 +1,17 @@
+// The compiled shaders of each legal combination, found by name. The table is generated with the shaders.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace shadewright::shadow {
+
+/// "uniform/depth/hard" -> SPIR-V of its look-up; empty for a combination that is not built.
+std::span<const uint32_t> lookup_shader(std::string_view combination);
+/// "uniform" -> SPIR-V of the oracle's rays.
+std::span<const uint32_t> oracle_shader(std::string_view parameterization);
+/// "uniform/depth" -> SPIR-V of the casters' vertex shader.
+std::span<const uint32_t> casters_shader(std::string_view combination);
+
+}  // namespace shadewright::shadow

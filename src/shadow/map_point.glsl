@@ -1,0 +1,64 @@
+// What every parameterization answers for a receiver, and the bias that follows from it (architecture, section 4).
+#ifndef SHADEWRIGHT_SHADOW_MAP_POINT_GLSL
+#define SHADEWRIGHT_SHADOW_MAP_POINT_GLSL
+
+#include "geometry/position_error.h"
+#include "shadow/shared.h"
+
+#ifndef SHADEWRIGHT_LOOKUP_SET
+#define SHADEWRIGHT_LOOKUP_SET 1
+#endif
+
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 0, scalar) readonly buffer MapViews { MapViewData map_views[]; };
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 1, scalar) uniform Lookup { LookupData lookup; };
+
+struct MapPoint {
+  vec2 uv;          // over the layer, v down
+  float depth;      // of the receiver at uv, growing away from the light
+  uint layer;
+  vec2 gradient;    // d depth / d uv of the receiver's plane
+  vec2 texel;       // a texel's size here, in uv
+  float tolerance;  // float error of depth
+  bool valid;       // false: nothing is stored for this point, it is lit
+};
+
+// A line of the light, world space.
+struct Ray {
+  vec3 origin;
+  vec3 direction;
+};
+
+// The depth below which an occluder counts. Within a texel the receiver's own plane comes half a texel's slope closer to the
+// light than at uv: so much is its own surface.
+float map_threshold(MapPoint p) {
+  return p.depth - lookup.bias_scale * (0.5 * dot(abs(p.gradient), p.texel) + p.tolerance);
+}
+
+// Projects a receiver through one view. A plane transforms by the inverse transpose, so its depth gradient is exact for any
+// projective map.
+MapPoint map_project(MapViewData view, uint layer, vec3 world, vec4 plane, vec2 texel) {
+  vec4 q = view.map_from_world * vec4(world, 1.0);
+  vec3 map = q.xyz / q.w;
+  vec4 plane_map = plane * view.world_from_map;
+  float c = abs(plane_map.z) < 1e-30 ? 1e-30 : plane_map.z;
+  vec2 gradient = -plane_map.xy / c;
+
+  // A plane that is wrong by e metres is wrong by e / (w |c|) in depth; the map's own arithmetic adds some units in the last
+  // place of depth (below 1) and of uv (below 1, times the slope); the rasterizer snaps vertices to 1/256 texel.
+  vec3 a = abs(world);
+  float error_world = position_error_scale * (a.x + a.y + a.z + distance(world, lookup.eye));
+  vec2 slope = abs(gradient);
+  float ulp = 1.0 / 16777216.0;
+  float tolerance = error_world / abs(q.w * c) + ulp * (4.0 + 4.0 * (slope.x + slope.y)) + dot(slope, texel) / 256.0;
+
+  bool inside = q.w > 0.0 && all(greaterThanEqual(map.xy, vec2(0.0))) && all(lessThan(map.xy, vec2(1.0)));
+  return MapPoint(map.xy, map.z, layer, gradient, texel, tolerance, inside && view.drawn != 0);
+}
+
+// The world point at a place of one view.
+vec3 map_unproject_view(MapViewData view, vec2 uv, float depth) {
+  vec4 q = view.world_from_map * vec4(uv, depth, 1.0);
+  return q.xyz / q.w;
+}
+
+#endif

@@ -1,0 +1,175 @@
+#include "shadow/map_technique.h"
+
+#include "render/shared.h"
+#include "shadewright/error.h"
+#include "shadow/lookup_shaders.h"
+#include "shadow/parameterization/uniform/uniform.h"
+#include "shadow/shared.h"
+
+namespace shadewright::shadow {
+
+namespace {
+
+/// What a shader that includes a look-up binds in the look-up's set; see map_point.glsl and the storage's GLSL.
+constexpr gpu::BindingKind lookup_kinds[] = {gpu::BindingKind::storage_buffer, gpu::BindingKind::uniform_buffer,
+                                             gpu::BindingKind::sampled_image};
+constexpr auto lookup_stages =
+    vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment | vk::ShaderStageFlagBits::eCompute;
+
+/// Clip space to map space: u, v in [0, 1].
+glm::dmat4 map_from_clip() {
+  glm::dmat4 m(1.0);
+  m[0][0] = m[1][1] = 0.5;
+  m[3][0] = m[3][1] = 0.5;
+  return m;
+}
+
+uint32_t light_kind(LightKind kind) {
+  switch (kind) {
+    case LightKind::spot: return shared::light_spot;
+    case LightKind::point: return shared::light_point;
+    default: return shared::light_directional;
+  }
+}
+
+}  // namespace
+
+MapTechnique::MapTechnique(const gpu::Device& device, const Spec& spec, const TechniqueOptions& options)
+    : Technique(device), spec_(spec), options_(options) {
+  parameterization_ = std::make_unique<Uniform>(device, spec);
+  if (!options.allow_readback && needs_readback())
+    throw InputError(spec.text, "this technique waits for the device in every frame", "allow readback, or choose fit=view");
+
+  visibility_ = gpu::Image(device, {"visibility", vk::Format::eR8Unorm, options.width, options.height, 1,
+                                    vk::ImageUsageFlagBits::eStorage | vk::ImageUsageFlagBits::eSampled |
+                                        vk::ImageUsageFlagBits::eTransferSrc});
+  sampler_ = gpu::make_sampler(device, vk::Filter::eNearest);
+  for (uint32_t i = 0; i < options.frames_in_flight; ++i) {
+    cameras_.emplace_back(device, "shadow camera", sizeof(shared::CameraData), gpu::HostAccess::write);
+    lookups_.emplace_back(device, "shadow constants", sizeof(shared::LookupData), gpu::HostAccess::write);
+    views_.emplace_back(device, "shadow views", parameterization_->max_views() * sizeof(shared::MapViewData), gpu::HostAccess::write);
+  }
+  lookup_layout_ = gpu::make_set_layout(device, lookup_kinds, lookup_stages, false);
+  const uint32_t count = options.frames_in_flight;
+  const vk::DescriptorPoolSize sizes[] = {{vk::DescriptorType::eStorageBuffer, count},
+                                          {vk::DescriptorType::eUniformBuffer, count},
+                                          {vk::DescriptorType::eCombinedImageSampler, count}};
+  pool_ = vk::raii::DescriptorPool(device.handle(), {vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, count, sizes});
+  const std::vector<vk::DescriptorSetLayout> layouts(count, *lookup_layout_);
+  for (auto& set : vk::raii::DescriptorSets(device.handle(), {*pool_, layouts})) lookup_sets_.push_back(std::move(set));
+  using enum gpu::BindingKind;
+  const vk::DescriptorSetLayout lookup_layout = *lookup_layout_;
+  lookup_ = gpu::ComputePass(device, lookup_shader(spec.parameterization + "/" + spec.storage + "/" + spec.filter),
+                             {uniform_buffer, sampled_image, sampled_image, storage_image}, 0, std::span(&lookup_layout, 1));
+}
+
+void MapTechnique::ensure_layers(uint32_t layers) {
+  if (storage_ && storage_->map().desc().layers >= layers) return;
+  device_.handle().waitIdle();  // only when a light of another kind comes: earlier frames may still read the old map
+  storage_.emplace(device_, spec_.resolution, layers, options_.frames_in_flight,
+                   casters_shader(spec_.parameterization + "/" + spec_.storage), *lookup_layout_);
+  for (uint32_t i = 0; i < options_.frames_in_flight; ++i) {
+    const vk::DescriptorBufferInfo views(views_[i].handle(), 0, VK_WHOLE_SIZE), lookup(lookups_[i].handle(), 0, VK_WHOLE_SIZE);
+    const vk::DescriptorImageInfo map(*sampler_, storage_->map().view(), vk::ImageLayout::eShaderReadOnlyOptimal);
+    device_.handle().updateDescriptorSets(
+        {vk::WriteDescriptorSet(*lookup_sets_[i], 0, 0, vk::DescriptorType::eStorageBuffer, {}, views),
+         vk::WriteDescriptorSet(*lookup_sets_[i], 1, 0, vk::DescriptorType::eUniformBuffer, {}, lookup),
+         vk::WriteDescriptorSet(*lookup_sets_[i], 2, 0, vk::DescriptorType::eCombinedImageSampler, map)},
+        {});
+  }
+}
+
+void MapTechnique::prepare(const Frame& frame, gpu::Recorder& recorder) {
+  parameterization_->prepare(frame, recorder);
+  ensure_layers(static_cast<uint32_t>(parameterization_->views().size()));
+  recorder.cpu_stage("shadow constants", [&] {
+    write_constants(frame);
+    storage_->prepare(frame, slot(frame), parameterization_->views());
+  });
+}
+
+void MapTechnique::write_constants(const Frame& frame) {
+  const uint32_t i = slot(frame);
+  cameras_[i].mapped<shared::CameraData>()[0] = render::camera_data(frame.camera);
+  const auto views = parameterization_->views();
+  const auto mapped = views_[i].mapped<shared::MapViewData>();
+  for (size_t v = 0; v < views.size(); ++v) {
+    const glm::dmat4 map_from_world = map_from_clip() * views[v].light_from_world;
+    mapped[v] = {glm::mat4(map_from_world), glm::mat4(glm::inverse(map_from_world)), views[v].drawn ? 1u : 0u};
+  }
+  shared::LookupData lookup{};
+  lookup.light_position = glm::vec3(frame.light.position);
+  lookup.light_direction = glm::vec3(frame.light.direction);
+  lookup.light_cos_outer = static_cast<float>(std::cos(frame.light.outer_angle));
+  lookup.light_kind = light_kind(frame.light.kind);
+  lookup.eye = glm::vec3(frame.camera.eye());
+  lookup.bias_scale = static_cast<float>(spec_.number("bias"));
+  lookup.map_size = glm::vec2(static_cast<float>(spec_.resolution));
+  if (spec_.filter == "pcf") {
+    lookup.pcf_radius = static_cast<float>(spec_.number("radius") + 0.5);
+    lookup.pcf_width = static_cast<float>(0.5 * spec_.number("width"));
+  }
+  lookups_[i].mapped<shared::LookupData>()[0] = lookup;
+}
+
+std::vector<gpu::Binding> MapTechnique::receiver_bindings(const Frame& frame) const {
+  using gpu::Binding;
+  return {Binding::uniform(cameras_[slot(frame)]), Binding::sampled(frame.depth, *sampler_), Binding::sampled(frame.normal, *sampler_)};
+}
+
+void MapTechnique::record(const Frame& frame, gpu::Recorder& recorder) {
+  const vk::DescriptorSet set = lookup_set(frame);
+  storage_->record(frame, slot(frame), parameterization_->views(), set, recorder);
+  recorder.stage("look-up", [&](const vk::raii::CommandBuffer& commands) {
+    visibility_.transition(commands, vk::ImageLayout::eGeneral, true);
+    auto bindings = receiver_bindings(frame);
+    bindings.push_back(gpu::Binding::storage(visibility_.view()));
+    lookup_.dispatch(commands, bindings, {}, {gpu::groups(options_.width, 8), gpu::groups(options_.height, 8), 1}, std::span(&set, 1));
+    visibility_.transition(commands, vk::ImageLayout::eShaderReadOnlyOptimal);
+  });
+}
+
+std::vector<gpu::Allocation> MapTechnique::allocations() const {
+  std::vector<gpu::Allocation> result{visibility_.allocation()};
+  const auto append = [&](std::vector<gpu::Allocation> more) {
+    for (auto& allocation : more) result.push_back(std::move(allocation));
+  };
+  if (storage_) append(storage_->allocations());
+  append(parameterization_->allocations());
+  for (const auto* buffers : {&cameras_, &views_, &lookups_})
+    for (const auto& buffer : *buffers) result.push_back(buffer.allocation());
+  return result;
+}
+
+std::vector<std::string> MapTechnique::lookup_includes() const {
+  const auto path = [](const std::string& axis, const std::string& name) { return "shadow/" + axis + "/" + name + "/" + name + ".glsl"; };
+  return {path("parameterization", spec_.parameterization), path("storage", spec_.storage), path("filter", spec_.filter)};
+}
+
+std::optional<OracleRays> MapTechnique::oracle_rays(const Frame& frame) {
+  if (spec_.filter != "hard") return std::nullopt;
+  using enum gpu::BindingKind;
+  const vk::DescriptorSetLayout lookup_layout = *lookup_layout_;
+  const gpu::ComputePass pass(device_, oracle_shader(spec_.parameterization),
+                              {uniform_buffer, sampled_image, sampled_image, storage_buffer, storage_buffer, storage_buffer}, 0,
+                              std::span(&lookup_layout, 1));
+  const size_t pixels = size_t{options_.width} * options_.height;
+  const uint64_t bytes = pixels * sizeof(glm::vec3);
+  const gpu::Buffer origins(device_, "oracle origins", bytes), texel_u(device_, "oracle texels", bytes),
+      texel_v(device_, "oracle texels", bytes);
+  gpu::submit_and_wait(device_, [&](const vk::raii::CommandBuffer& commands) {
+    auto bindings = receiver_bindings(frame);
+    for (const gpu::Buffer* buffer : {&origins, &texel_u, &texel_v}) bindings.push_back(gpu::Binding::storage(*buffer));
+    const vk::DescriptorSet set = lookup_set(frame);
+    pass.dispatch(commands, bindings, {}, {gpu::groups(options_.width, 8), gpu::groups(options_.height, 8), 1}, std::span(&set, 1));
+  });
+  const auto read = [&](const gpu::Buffer& buffer) {
+    std::vector<glm::vec3> values(pixels);
+    const auto data = gpu::read_back(device_, buffer, bytes);
+    std::memcpy(values.data(), data.data(), bytes);
+    return values;
+  };
+  return OracleRays{read(origins), read(texel_u), read(texel_v)};
+}
+
+}  // namespace shadewright::shadow

@@ -1,0 +1,49 @@
+// A technique made of the three axes: parameterization, storage, filter.
+#pragma once
+
+#include <optional>
+
+#include "shadow/parameterization/parameterization.h"
+#include "shadow/storage/depth/depth.h"
+
+namespace shadewright::shadow {
+
+class MapTechnique final : public Technique {
+ public:
+  MapTechnique(const gpu::Device& device, const Spec& spec, const TechniqueOptions& options);
+
+  using Technique::record;
+  void prepare(const Frame& frame, gpu::Recorder& recorder) override;
+  void record(const Frame& frame, gpu::Recorder& recorder) override;
+
+  bool needs_readback() const override { return parameterization_->traits().needs_readback; }
+  gpu::Image& visibility() override { return visibility_; }
+  std::vector<gpu::Allocation> allocations() const override;
+  Counters counters() const override { return parameterization_->counters(); }
+  std::span<const MapView> views() const override { return parameterization_->views(); }
+  vk::DescriptorSetLayout lookup_layout() const override { return *lookup_layout_; }
+  vk::DescriptorSet lookup_set(const Frame& frame) const override { return *lookup_sets_[slot(frame)]; }
+  std::vector<std::string> lookup_includes() const override;
+  std::optional<OracleRays> oracle_rays(const Frame& frame) override;
+
+ private:
+  uint32_t slot(const Frame& frame) const { return static_cast<uint32_t>(frame.index % options_.frames_in_flight); }
+  /// Makes the map when a frame first needs this many layers: a point light has six, others one.
+  void ensure_layers(uint32_t layers);
+  void write_constants(const Frame& frame);
+  std::vector<gpu::Binding> receiver_bindings(const Frame& frame) const;
+
+  Spec spec_;
+  TechniqueOptions options_;
+  std::unique_ptr<Parameterization> parameterization_;
+  gpu::Image visibility_;
+  vk::raii::Sampler sampler_{nullptr};
+  std::vector<gpu::Buffer> cameras_, views_, lookups_;  ///< by slot, host-written
+  vk::raii::DescriptorSetLayout lookup_layout_{nullptr};
+  vk::raii::DescriptorPool pool_{nullptr};
+  std::vector<vk::raii::DescriptorSet> lookup_sets_;
+  std::optional<DepthStorage> storage_;
+  gpu::ComputePass lookup_;
+};
+
+}  // namespace shadewright::shadow

@@ -1,0 +1,152 @@
+#include "shadow/parameterization/uniform/fit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "shadewright/geometry/projection.h"
+
+namespace shadewright::shadow {
+
+namespace {
+
+/// The nearest a perspective light looks, as a share of the farthest receiver's distance: float depth serves this range well.
+constexpr double near_share = 1e-4;
+
+glm::dvec3 view_coordinates(const LightFrame& light, const glm::dvec3& world) {
+  return glm::dvec3(light.view_from_world * glm::dvec4(world, 1.0));
+}
+
+/// What a light at the eye of its frame can see of a convex set: its part in front of a plane a hair before the eye.
+void append_clipped(std::vector<glm::dvec3>& points, const Box& box, std::span<const Plane> planes) {
+  const bool inside = std::all_of(planes.begin(), planes.end(), [&](const Plane& plane) {
+    const glm::dvec3 half = 0.5 * box.size();
+    return plane.distance(box.center()) >= glm::dot(glm::abs(plane.normal), half);
+  });
+  if (inside) {
+    const auto corners = box.corners();
+    points.insert(points.end(), corners.begin(), corners.end());
+  } else if (!outside(box, planes)) {
+    const auto clipped = clip(Polytope::from_box(box), planes).points();
+    points.insert(points.end(), clipped.begin(), clipped.end());
+  }
+}
+
+}  // namespace
+
+std::vector<LightFrame> light_frames(const Light& light) {
+  const auto frame = [&](const glm::dvec3& direction, double max_tangent) {
+    const glm::dvec3 eye = light.kind == LightKind::directional ? glm::dvec3(0) : light.position;
+    return LightFrame{look_along(eye, direction, {0, 1, 0}), light.kind != LightKind::directional, max_tangent};
+  };
+  switch (light.kind) {
+    case LightKind::directional: return {frame(light.direction, 0)};
+    case LightKind::spot: return {frame(light.direction, std::tan(light.outer_angle))};
+    case LightKind::point: break;
+  }
+  std::vector<LightFrame> faces;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double sign : {1.0, -1.0}) {
+      glm::dvec3 direction(0);
+      direction[axis] = sign;
+      faces.push_back(frame(direction, 1.0));
+    }
+  return faces;
+}
+
+std::vector<glm::dvec3> receiver_points(const Frame& frame, std::span<const Plane> planes) {
+  std::vector<glm::dvec3> points;
+  if (frame.scene)
+    for (const Box& box : frame.scene->instance_bounds()) append_clipped(points, box, planes);
+  if (!frame.draw_bounds.empty()) append_clipped(points, frame.draw_bounds, planes);
+  return points;
+}
+
+Box receiver_bounds(const LightFrame& light, std::span<const glm::dvec3> points) {
+  Box bounds;
+  if (!light.perspective) {
+    for (const glm::dvec3& point : points) bounds.extend(view_coordinates(light, point));
+    return bounds;
+  }
+  // A hull that reaches behind the light has no finite window: then the widest one it is.
+  double farthest = 0;
+  bool behind = false;
+  Box window;
+  for (const glm::dvec3& point : points) {
+    const glm::dvec3 p = view_coordinates(light, point);
+    const double distance = -p.z;
+    farthest = std::max(farthest, distance);
+    if (distance <= 0) {
+      behind = true;
+      continue;
+    }
+    window.extend({p.x / distance, p.y / distance, p.z});
+  }
+  if (farthest <= 0) return {};
+  const double wide = light.max_tangent;
+  if (behind) window = {{-wide, -wide, -farthest}, {wide, wide, 0}};
+  bounds = intersect(window, {{-wide, -wide, -farthest}, {wide, wide, -near_share * farthest}});
+  return bounds;
+}
+
+LightFrame turn_to_fit(const LightFrame& light, std::span<const glm::dvec3> points) {
+  constexpr int angles = 32;
+  std::array<Box, angles> bounds;
+  std::array<glm::dvec2, angles> axes;
+  for (int a = 0; a < angles; ++a) {
+    const double angle = 0.5 * std::numbers::pi * a / angles;
+    axes[static_cast<size_t>(a)] = {std::cos(angle), std::sin(angle)};
+  }
+  for (const glm::dvec3& point : points) {
+    const glm::dvec3 p = view_coordinates(light, point);
+    for (size_t a = 0; a < angles; ++a)
+      bounds[a].extend({p.x * axes[a].x + p.y * axes[a].y, p.y * axes[a].x - p.x * axes[a].y, 0});
+  }
+  const auto area = [](const Box& box) { return box.empty() ? 0.0 : box.size().x * box.size().y; };
+  const auto best = static_cast<size_t>(
+      std::min_element(bounds.begin(), bounds.end(), [&](const Box& a, const Box& b) { return area(a) < area(b); }) - bounds.begin());
+  glm::dmat4 turn(1.0);
+  turn[0] = {axes[best].x, -axes[best].y, 0, 0};
+  turn[1] = {axes[best].y, axes[best].x, 0, 0};
+  LightFrame turned = light;
+  turned.view_from_world = turn * light.view_from_world;
+  return turned;
+}
+
+MapView fit_view(const LightFrame& light, const Box& receivers, uint32_t resolution, double border_texels) {
+  MapView view;
+  view.viewport = vk::Rect2D({0, 0}, {resolution, resolution});
+  view.drawn = !receivers.empty();
+  if (!view.drawn) {
+    view.light_from_world = light.view_from_world;
+    return view;
+  }
+  // A receiver that is a point or a line in the light's view still needs an area.
+  const glm::dvec2 center(receivers.center());
+  const double smallest = 1e-6 * std::max({receivers.size().x, receivers.size().y, std::abs(center.x), std::abs(center.y), 1e-9});
+  const glm::dvec2 half = glm::max(glm::dvec2(0.5 * receivers.size()), smallest) * (1.0 + 2.0 * border_texels / resolution);
+  const double depth = std::max(receivers.size().z, smallest);
+  if (light.perspective) {
+    const double near = -receivers.max.z * 0.99, far = -receivers.min.z * 1.01;
+    view.light_from_world = perspective_window(center - half, center + half, near, far) * light.view_from_world;
+  } else {
+    // Depth is clamped, not cut, before the nearest receiver; the margin keeps clamped casters before it.
+    const Box box{{center - half, receivers.min.z - 0.01 * depth}, {center + half, receivers.max.z + 0.01 * depth}};
+    view.light_from_world = orthographic(box) * light.view_from_world;
+  }
+  return view;
+}
+
+std::vector<Plane> caster_planes(const MapView& view, const render::CameraView& camera, const Light& light, bool receivers_in_camera) {
+  std::vector<Plane> planes = frustum_planes(view.light_from_world);
+  planes.erase(planes.begin() + 4);  // z >= 0: casters nearer to the light count
+  if (receivers_in_camera)
+    for (const Plane& plane : camera.planes()) {
+      const double towards = light.kind == LightKind::directional ? -glm::dot(plane.normal, light.direction) : plane.distance(light.position);
+      if (towards >= 0) planes.push_back(plane);
+    }
+  return planes;
+}
+
+}  // namespace shadewright::shadow

@@ -1,0 +1,37 @@
+// uniform: one matrix, fitted tightly to what receives shadows; six faces for point lights. The baseline of every paper here.
+//
+// fit=scene   receivers are all of the scene (what the papers call conventional)
+// fit=view    receivers are what the camera's frustum holds of each instance's bounds
+// fit=visible receivers are the surface points of this frame, reduced on the device and read back
+// Casters between the light and the receivers count from anywhere: their depth is clamped to the map's range.
+#pragma once
+
+#include "shadow/parameterization/parameterization.h"
+#include "shadow/parameterization/uniform/fit.h"
+
+namespace shadewright::shadow {
+
+class Uniform final : public Parameterization {
+ public:
+  Uniform(const gpu::Device& device, const Spec& spec);
+
+  Traits traits() const override { return {.layered = true, .needs_readback = fit_ == "visible"}; }
+  uint32_t max_views() const override { return 6; }
+  void prepare(const Frame& frame, gpu::Recorder& recorder) override;
+  std::span<const MapView> views() const override { return views_; }
+  Counters counters() const override;
+  std::vector<gpu::Allocation> allocations() const override;
+
+ private:
+  std::vector<Box> visible_bounds(const Frame& frame, gpu::Recorder& recorder, std::span<const LightFrame> lights);
+
+  const gpu::Device& device_;
+  std::string fit_;
+  uint32_t resolution_;
+  std::vector<MapView> views_;
+  gpu::ComputePass reduce_;
+  vk::raii::Sampler sampler_{nullptr};
+  gpu::Buffer camera_, light_axes_, bounds_;
+};
+
+}  // namespace shadewright::shadow

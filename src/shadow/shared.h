@@ -1,0 +1,37 @@
+// Structs of the look-up that C++ and GLSL share (scalar layout).
+#ifndef SHADEWRIGHT_SHADOW_SHARED_H
+#define SHADEWRIGHT_SHADOW_SHARED_H
+
+#include "render/shared.h"
+
+#ifdef __cplusplus
+namespace shadewright::shared {
+#endif
+
+/// One view of a shadow map: a layer drawn through one matrix. Map space: u, v in [0, 1] over the layer, v down, and depth
+/// in [0, 1] growing away from the light.
+struct MapViewData {
+  mat4 map_from_world;  // (u w, v w, depth w, w)
+  mat4 world_from_map;
+  uint drawn;  // 0: nothing receives in this view and its layer holds nothing
+};
+
+const uint light_directional = 0, light_spot = 1, light_point = 2;
+
+/// What every look-up needs besides its maps.
+struct LookupData {
+  vec3 light_position;
+  vec3 light_direction;  // the way light travels
+  float light_cos_outer;
+  uint light_kind;
+  vec3 eye;
+  float bias_scale;
+  vec2 map_size;      // texels
+  float pcf_radius;   // half width of the box in texels, or
+  float pcf_width;    // half width in metres; 0 = in texels
+};
+
+#ifdef __cplusplus
+}  // namespace shadewright::shared
+#endif
+#endif

@@ -1,0 +1,21 @@
+#include "shadewright/shadow/technique.h"
+
+#include "shadewright/error.h"
+#include "shadow/map_technique.h"
+
+namespace shadewright::shadow {
+
+void Technique::record(const Frame& frame, VkCommandBuffer commands) {
+  gpu::Recorder recorder(device_, commands);
+  record(frame, recorder);
+}
+
+std::unique_ptr<Technique> make_technique(const gpu::Device& device, const Spec& spec, const TechniqueOptions& options) {
+  if (options.width == 0 || options.height == 0 || options.frames_in_flight == 0)
+    throw InputError("technique options", "width, height and frames in flight must be positive", "give the camera's size");
+  if (spec.parameterization == "ray")
+    throw InputError(spec.text, "the ray-traced reference is not drawn on the device", "use shadewright::Tracer");
+  return std::make_unique<MapTechnique>(device, spec, options);
+}
+
+}  // namespace shadewright::shadow
