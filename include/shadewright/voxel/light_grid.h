@@ -1,0 +1,41 @@
+// Where a point of the world falls in the voxel volume of a light: a uniform grid in the light's clip space (CPVS,
+// section 3).
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+
+#include "shadewright/scene/scene.h"
+
+namespace shadewright::voxel {
+
+/// Voxel (x, y, z) covers [x, x + 1) x [y, y + 1) x [z, z + 1) of voxel space; z grows away from the light. Spot
+/// lights: z is the normalized device depth, times the number of voxels.
+struct LightGrid {
+  LightKind kind = LightKind::directional;
+  uint32_t log2_size = 0;   ///< n: 2^n texels in x and y
+  uint32_t log2_depth = 0;  ///< d <= n: 2^d voxels in z
+  glm::dmat4 voxel_from_world{
+      1.0};  ///< homogeneous; w = 1 for directional lights, the distance along the axis for spots
+  glm::dmat3 light_from_world{
+      1.0};                    ///< rotation: rows are the world directions of texel x, texel y, and away from the light
+  glm::dvec2 texel_size{1.0};  ///< directional: metres; spot: metres at distance 1
+  double voxel_depth = 1;      ///< directional: metres of a voxel in z
+  double near = 0, far = 0;    ///< spot: distances along the axis where z is 0 and 2^d
+
+  uint32_t size() const { return 1u << log2_size; }
+  uint32_t depth() const { return 1u << log2_depth; }
+
+  /// Voxel coordinates of a world point (not finite, or w <= 0, for points beside or behind a spot light).
+  glm::dvec3 voxel(const glm::dvec3& world) const;
+  /// World extents of a voxel at a world point, metres.
+  glm::dvec3 voxel_extent(const glm::dvec3& world) const;
+  /// How far a receiver moves along its normal so that no tap of a `taps` x `taps` filter at its depth reaches below
+  /// its own plane: taps/2 (tx |nx| + ty |ny|) + tz/2 |nz| with the light-space normal, and 1/32 voxel more for what
+  /// snapping and float positions take. Metres. A zero normal means "towards the light".
+  double receiver_offset(const glm::dvec3& world, const glm::dvec3& normal, uint32_t taps) const;
+  /// `world` moved by `receiver_offset` (towards the light for a zero normal), in voxel coordinates.
+  glm::dvec3 receiver_voxel(const glm::dvec3& world, const glm::dvec3& normal, uint32_t taps) const;
+};
+
+}  // namespace shadewright::voxel

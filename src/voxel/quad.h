@@ -1,0 +1,62 @@
+// A square of texels, the triangles over it, and what bounds can say of it without looking at single texels.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "dag_builder.h"
+#include "sampling.h"
+#include "snapped.h"
+#include "tile.h"
+
+namespace shadewright::voxel {
+
+/// Texels [x, x + side) x [y, y + side) with side = 2^height.
+struct Quad {
+  uint32_t height = 0;
+  int32_t x = 0, y = 0;
+
+  int32_t side() const { return int32_t(1) << height; }
+  Quad quarter(uint32_t i) const {
+    const int32_t half = side() / 2;
+    return {height - 1, x + int32_t(i & 1) * half, y + int32_t(i >> 1) * half};
+  }
+};
+
+/// The sub-voxel box of the texel centres of a quad widened by `reach` texels, closed.
+struct CenterBox {
+  int64_t x0, y0, x1, y1;
+
+  CenterBox(const Quad& quad, uint32_t reach)
+      : x0(texel_center(quad.x - int64_t(reach))),
+        y0(texel_center(quad.y - int64_t(reach))),
+        x1(texel_center(quad.x + int64_t(quad.side()) - 1 + reach)),
+        y1(texel_center(quad.y + int64_t(quad.side()) - 1 + reach)) {}
+};
+
+/// Whether a triangle, as a closed set, touches the box (exact).
+bool touches(const SnappedTriangle& triangle, const CenterBox& box);
+
+/// Whether one of the triangle's silhouette edges touches the box (exact).
+bool silhouette_crosses(const SnappedTriangle& triangle, const CenterBox& box);
+
+/// The cut that serves all texels of a quad, if bounds can tell. `triangles` are all that touch the widened quad's
+/// centres; none of their silhouette edges does.
+class QuadBounds {
+ public:
+  explicit QuadBounds(const TileRules& rules) : rules_(rules) {}
+  std::optional<FlatCut> decide(const Quad& quad, std::span<const SnappedTriangle* const> triangles);
+
+ private:
+  struct Span {
+    int64_t low, high;  ///< heights
+    const SnappedTriangle* triangle;
+  };
+
+  TileRules rules_;
+  std::vector<Span> spans_;
+};
+
+}  // namespace shadewright::voxel
