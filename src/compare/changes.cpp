@@ -107,6 +107,7 @@ std::vector<std::string> changed_conditions(const Report& before, const Report& 
 std::string describe_changes(const Report& before, const Report& after) {
   const std::vector<Change> changes = pair_results(before, after);
   std::vector<Line> lines;
+  lines.reserve(changes.size());
   for (const Change& change : changes) lines.push_back(line(change));
   std::array<size_t, cells> width{};
   width[0] = std::string_view("technique").size();

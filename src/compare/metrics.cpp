@@ -171,8 +171,9 @@ std::vector<uint8_t> truth_changes_within_texel(const MetricsInput& input, std::
     const size_t i = pixels[p];
     const SurfacePoint& point = input.points[i];
     for (int k = 0; k < exception_points; ++k) {
+      const int row = k / exception_samples;
       // Half extents, hence -2..2 for one texel to each side.
-      const auto a = static_cast<float>(k % exception_samples - 2), b = static_cast<float>(k / exception_samples - 2);
+      const auto a = static_cast<float>(k % exception_samples - 2), b = static_cast<float>(row - 2);
       SurfacePoint& sample = samples[p * exception_points + static_cast<size_t>(k)];
       sample.position = point.position + a * input.texel_u[i] + b * input.texel_v[i];
       const glm::vec3& q = sample.position;

@@ -26,6 +26,11 @@ struct MetricsInput {
   std::span<const glm::vec3> texel_u, texel_v;
 };
 
+/// How a visibility is thresholded wherever a figure needs yes or no.
+constexpr bool lit(float visibility) {
+  return visibility >= 0.5f;
+}
+
 /// 1 for points that are valid and whose normal faces the light (cosine > 0; inside the cone, for a spot).
 std::vector<uint8_t> facing_light(std::span<const SurfacePoint> points, const Light& light);
 

@@ -51,8 +51,10 @@ struct TechniqueResult {
   double frame_milliseconds = 0;  ///< with the camera pass, median
   std::vector<Allocation> memory;
   std::map<std::string, std::vector<double>> counters;  ///< one value is written as a number, more as an array
-  // Pictures, relative to the report's folder; empty = none.
-  std::string image, mask, difference;
+  // PNGs, relative to the report's folder; empty = none.
+  std::string image;       ///< the shaded picture
+  std::string mask;        ///< visibility, black to white
+  std::string difference;  ///< wrong pixels in colour, transparent elsewhere: the page lays it over the grey truth
 
   uint64_t memory_bytes() const;
 };
