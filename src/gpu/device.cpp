@@ -66,6 +66,7 @@ void visit_features(DeviceFeatures& f, Visitor visit) {
   visit("drawIndirectCount", f.vulkan12.drawIndirectCount);
   visit("dynamicRendering", f.vulkan13.dynamicRendering);
   visit("synchronization2", f.vulkan13.synchronization2);
+  visit("maintenance4", f.vulkan13.maintenance4);  // work group sizes as glslc writes them
 }
 
 void chain(DeviceFeatures& f) {

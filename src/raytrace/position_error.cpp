@@ -18,6 +18,8 @@
 // The bound does not hold for world positions that are interpolated themselves: their planes over the screen do not
 // cancel (measured: 1% above 50 u). Nor for triangles that are clipped far outside the screen (a guard band of several
 // screens).
+#include "geometry/position_error.h"
+
 #include <cmath>
 #include <glm/glm.hpp>
 
@@ -27,7 +29,7 @@ namespace shadewright {
 
 float position_error(const glm::vec3& position, const glm::vec3& eye) {
   const float coordinates = std::abs(position.x) + std::abs(position.y) + std::abs(position.z);
-  return 0x1p-24f * (8.0f * coordinates + 32.0f * glm::distance(position, eye));
+  return position_error_of_coordinates * coordinates + position_error_of_distance * glm::distance(position, eye);
 }
 
 }  // namespace shadewright

@@ -46,7 +46,7 @@ MapPoint map_project(MapViewData view, uint layer, vec3 world, vec4 plane, vec2 
   // A plane that is wrong by e metres is wrong by e / (w |c|) in depth; the map's own arithmetic adds some units in the last
   // place of depth (below 1) and of uv (below 1, times the slope); the rasterizer snaps vertices to 1/256 texel.
   vec3 a = abs(world);
-  float error_world = position_error_scale * (a.x + a.y + a.z + distance(world, lookup.eye));
+  float error_world = position_error_of_coordinates * (a.x + a.y + a.z) + position_error_of_distance * distance(world, lookup.eye);
   vec2 slope = abs(gradient);
   float ulp = 1.0 / 16777216.0;
   float tolerance = error_world / abs(q.w * c) + ulp * (4.0 + 4.0 * (slope.x + slope.y)) + dot(slope, texel) / 256.0;

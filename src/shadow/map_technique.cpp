@@ -172,4 +172,9 @@ std::optional<OracleRays> MapTechnique::oracle_rays(const Frame& frame) {
   return OracleRays{read(origins), read(texel_u), read(texel_v)};
 }
 
+render::Picture MapTechnique::debug_picture(std::string_view name) {
+  if (name != "shadow-map") return Technique::debug_picture(name);
+  return storage_->picture();
+}
+
 }  // namespace shadewright::shadow

@@ -25,6 +25,8 @@ class MapTechnique final : public Technique {
   vk::DescriptorSet lookup_set(const Frame& frame) const override { return *lookup_sets_[slot(frame)]; }
   std::vector<std::string> lookup_includes() const override;
   std::optional<OracleRays> oracle_rays(const Frame& frame) override;
+  std::vector<std::string> debug_names() const override { return {"shadow-map"}; }
+  render::Picture debug_picture(std::string_view name) override;
 
  private:
   uint32_t slot(const Frame& frame) const { return static_cast<uint32_t>(frame.index % options_.frames_in_flight); }

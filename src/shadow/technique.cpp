@@ -1,5 +1,7 @@
 #include "shadewright/shadow/technique.h"
 
+#include <fmt/ranges.h>
+
 #include "shadewright/error.h"
 #include "shadow/map_technique.h"
 
@@ -8,6 +10,11 @@ namespace shadewright::shadow {
 void Technique::record(const Frame& frame, VkCommandBuffer commands) {
   gpu::Recorder recorder(device_, commands);
   record(frame, recorder);
+}
+
+render::Picture Technique::debug_picture(std::string_view name) {
+  throw InputError(fmt::format("--debug {}", name), "this technique has no debug image of that name",
+                   fmt::format("its debug images: {}", fmt::join(debug_names(), ", ")));
 }
 
 std::unique_ptr<Technique> make_technique(const gpu::Device& device, const Spec& spec, const TechniqueOptions& options) {

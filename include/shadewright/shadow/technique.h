@@ -14,6 +14,7 @@
 #include "shadewright/gpu/recorder.h"
 #include "shadewright/gpu/resources.h"
 #include "shadewright/render/camera_pass.h"
+#include "shadewright/render/image.h"
 #include "shadewright/render/scene_gpu.h"
 #include "shadewright/scene/scene.h"
 #include "shadewright/shadow/spec.h"
@@ -98,6 +99,10 @@ class Technique {
 
   /// Reads the oracle's rays of the last recorded frame back and waits; none for techniques without an oracle.
   virtual std::optional<OracleRays> oracle_rays(const Frame&) { return std::nullopt; }
+
+  /// Pictures that show how the technique works, by name, of the last recorded frame. InputError for an unknown name.
+  virtual std::vector<std::string> debug_names() const { return {}; }
+  virtual render::Picture debug_picture(std::string_view name);
 
  protected:
   explicit Technique(const gpu::Device& device) : device_(device) {}

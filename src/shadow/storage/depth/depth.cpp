@@ -6,7 +6,7 @@ namespace shadewright::shadow {
 
 DepthStorage::DepthStorage(const gpu::Device& device, uint32_t resolution, uint32_t layers, uint32_t frames_in_flight,
                            std::span<const uint32_t> vertex, vk::DescriptorSetLayout lookup_layout)
-    : frames_in_flight_(frames_in_flight) {
+    : device_(device), frames_in_flight_(frames_in_flight) {
   using Usage = vk::ImageUsageFlagBits;
   map_ = gpu::Image(device, {"shadow map", vk::Format::eD32Sfloat, resolution, resolution, layers,
                              Usage::eDepthStencilAttachment | Usage::eSampled | Usage::eTransferSrc, true});
@@ -46,7 +46,9 @@ void DepthStorage::draw_view(const vk::raii::CommandBuffer& commands, const Fram
   const vk::RenderingAttachmentInfo depth(map_.layer_view(view.layer), vk::ImageLayout::eDepthAttachmentOptimal, {}, {}, {},
                                           vk::AttachmentLoadOp::eClear, vk::AttachmentStoreOp::eStore,
                                           vk::ClearDepthStencilValue(1.0f, 0));
-  commands.beginRendering({{}, {{0, 0}, map_.extent()}, 1, 0, {}, &depth});
+  vk::RenderingInfo rendering({}, {{0, 0}, map_.extent()}, 1);
+  rendering.pDepthAttachment = &depth;
+  commands.beginRendering(rendering);
   const vk::Rect2D area = view.viewport;
   commands.setViewport(0, vk::Viewport(static_cast<float>(area.offset.x), static_cast<float>(area.offset.y),
                                        static_cast<float>(area.extent.width), static_cast<float>(area.extent.height), 0, 1));
@@ -59,6 +61,20 @@ void DepthStorage::draw_view(const vk::raii::CommandBuffer& commands, const Fram
   }
   if (frame.draw_casters) frame.draw_casters({commands, index, view, lookup_set});
   commands.endRendering();
+}
+
+render::Picture DepthStorage::picture() {
+  const gpu::ImageDesc& desc = map_.desc();
+  std::vector<float> brightness;
+  for (uint32_t layer = 0; layer < desc.layers; ++layer) {
+    const auto bytes = gpu::read_back(device_, map_, sizeof(float), layer);
+    const size_t first = brightness.size();
+    brightness.resize(first + bytes.size() / sizeof(float));
+    std::memcpy(&brightness[first], bytes.data(), bytes.size());
+  }
+  gpu::submit_and_wait(device_, [&](const auto& commands) { map_.transition(commands, vk::ImageLayout::eShaderReadOnlyOptimal); });
+  for (float& depth : brightness) depth = depth == 1.0f ? 0.0f : 1.0f - 0.9f * depth;
+  return render::to_picture(brightness, desc.width, desc.height * desc.layers);
 }
 
 std::vector<gpu::Allocation> DepthStorage::allocations() const {

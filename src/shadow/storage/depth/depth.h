@@ -19,6 +19,8 @@ class DepthStorage {
   /// Records culling and the drawing of all views; the map is left in shader-read layout.
   void record(const Frame& frame, uint32_t slot, std::span<const MapView> views, vk::DescriptorSet lookup_set, gpu::Recorder& recorder);
 
+  /// The map as a picture, near bright and empty black, six faces one below the other. Waits.
+  render::Picture picture();
   const gpu::Image& map() const { return map_; }
   std::vector<gpu::Allocation> allocations() const;
 
@@ -26,6 +28,7 @@ class DepthStorage {
   void draw_view(const vk::raii::CommandBuffer& commands, const Frame& frame, const MapView& view, uint32_t index,
                  vk::DescriptorSet lookup_set);
 
+  const gpu::Device& device_;
   uint32_t frames_in_flight_;
   gpu::Image map_;
   gpu::GraphicsPass pass_;

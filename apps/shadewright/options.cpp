@@ -1,0 +1,138 @@
+#include "options.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+#include "shadewright/error.h"
+
+namespace shadewright::app {
+
+namespace {
+
+/// "X,Y,Z" to N numbers; InputError naming the flag.
+template <size_t N>
+std::array<double, N> parse_numbers(const std::string& flag, const std::string& text, const char* shape) {
+  std::array<double, N> values{};
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  for (size_t i = 0; i < N; ++i) {
+    const auto [next, error] = std::from_chars(at, end, values[i]);
+    const bool last = i + 1 == N;
+    if (error != std::errc() || !std::isfinite(values[i]) || (last ? next != end : next == end || *next != ','))
+      throw InputError(fmt::format("{} {}", flag, text), "it does not have the form", fmt::format("write {} {}", flag, shape));
+    at = next + (last ? 0 : 1);
+  }
+  return values;
+}
+
+glm::dvec3 parse_point(const std::string& flag, const std::string& text) {
+  const auto v = parse_numbers<3>(flag, text, "X,Y,Z");
+  return {v[0], v[1], v[2]};
+}
+
+void parse_size(const std::string& text, View& view) {
+  uint32_t* const parts[] = {&view.width, &view.height};
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  for (int i = 0; i < 2; ++i) {
+    const auto [next, error] = std::from_chars(at, end, *parts[i]);
+    if (error != std::errc() || *parts[i] == 0 || *parts[i] > 16384 || (i == 0 ? next == end || *next != 'x' : next != end))
+      throw InputError("--size " + text, "it is not WxH with both from 1 to 16384", "write --size 1920x1080");
+    at = next + (i == 0 ? 1 : 0);
+  }
+}
+
+Camera choose_camera(const SceneFlags& flags, const Scene& scene, std::vector<std::string>& notes) {
+  if (!flags.camera.empty() && !flags.eye.empty()) throw InputError("--camera", "it can't be given with --eye", "give one of them");
+  if (flags.eye.empty() != flags.target.empty()) throw InputError("--eye", "--eye and --target go together", "give both");
+  Camera camera;
+  if (!flags.camera.empty()) {
+    camera = find_camera(scene, flags.camera);
+  } else if (!flags.eye.empty()) {
+    camera.name = "eye";
+    camera.eye = parse_point("--eye", flags.eye) - scene.origin;
+    camera.target = parse_point("--target", flags.target) - scene.origin;
+    if (camera.eye == camera.target) throw InputError("--target " + flags.target, "it is the same point as --eye", "look elsewhere");
+  } else if (!scene.cameras.empty()) {
+    camera = scene.cameras.front();
+    if (scene.cameras.size() > 1) notes.push_back(fmt::format("camera '{}', the first of {}", camera.name, scene.cameras.size()));
+  } else {
+    camera = default_camera(scene);
+    const glm::dvec3 eye = camera.eye + scene.origin, target = camera.target + scene.origin;
+    notes.push_back(fmt::format("the scene has no camera: --eye {:.5g},{:.5g},{:.5g} --target {:.5g},{:.5g},{:.5g} was chosen", eye.x, eye.y,
+                                eye.z, target.x, target.y, target.z));
+  }
+  if (flags.fov != 0) camera.fov_y = glm::radians(flags.fov);
+  return camera;
+}
+
+Light choose_light(const SceneFlags& flags, const Scene& scene, std::vector<std::string>& notes) {
+  if (!flags.light.empty() && !flags.sun.empty()) throw InputError("--light", "it can't be given with --sun", "give one of them");
+  if (!flags.light.empty()) return find_light(scene, flags.light);
+  if (!flags.sun.empty()) {
+    const auto angles = parse_numbers<2>("--sun", flags.sun, "AZIMUTH,ELEVATION");
+    if (std::abs(angles[1]) > 90) throw InputError("--sun " + flags.sun, "the elevation is beyond 90 degrees", "give -90 to 90");
+    return sun(angles[0], angles[1]);
+  }
+  if (!scene.lights.empty()) {
+    if (scene.lights.size() > 1) notes.push_back(fmt::format("light '{}', the first of {}", scene.lights.front().name, scene.lights.size()));
+    return scene.lights.front();
+  }
+  notes.push_back("the scene has no light: --sun 35,45 was chosen");
+  return sun(35, 45);
+}
+
+}  // namespace
+
+void SceneFlags::add_to(CLI::App& verb) {
+  verb.add_option("SCENE", scene, "A file (glTF, GLB, OBJ, ...) or builtin:NAME[?key=value&...]")->required();
+  verb.add_option("--camera", camera, "A camera of the scene, by name");
+  verb.add_option("--eye", eye, "Camera position X,Y,Z, in the file's coordinates");
+  verb.add_option("--target", target, "What the camera looks at, X,Y,Z");
+  verb.add_option("--fov", fov, "Full vertical field of view, degrees")->check(CLI::Range(1.0, 160.0));
+  verb.add_option("--light", light, "A light of the scene, by name");
+  verb.add_option("--sun", sun, "Direction towards the sun, AZIMUTH,ELEVATION in degrees (azimuth 0 = +X, 90 = +Z)");
+  verb.add_option("--size", size, "Image size WxH in pixels")->capture_default_str();
+  verb.add_option("--repeat", repeat, "Timed repeats after warm-up")->capture_default_str()->check(CLI::Range(0, 10000));
+  verb.add_option("--reference-samples", reference_samples, "Samples a pixel of the filtered reference")->capture_default_str()->check(CLI::Range(0, 1024));
+  verb.add_option("--path", path, "A camera path of the scene (not built yet)");
+  verb.add_option("--frames", frames, "Frames along the path (not built yet)");
+  verb.add_option("--device", device, "Device by index or part of its name (see shadewright devices)");
+  verb.add_flag("--quiet", quiet, "No progress, no remarks");
+  verb.add_flag("--verbose", verbose, "Say more");
+  verb.add_flag("--validation", validation, "Run with the Khronos validation layer; any message is an error");
+}
+
+View load_view(const SceneFlags& flags, ProgressBar& progress) {
+  if (!flags.path.empty() || flags.frames != 0)
+    throw InputError("--path " + flags.path, "camera paths and flicker are not built yet", "leave --path and --frames out");
+  View view;
+  parse_size(flags.size, view);
+  LoadedScene loaded = load_scene(flags.scene, progress.callback());
+  progress.clear();
+  view.scene = std::move(loaded.scene);
+  view.notes = std::move(loaded.warnings);
+  view.camera = choose_camera(flags, view.scene, view.notes);
+  view.light = choose_light(flags, view.scene, view.notes);
+  if (!flags.quiet)
+    for (const std::string& note : view.notes) fmt::print(stderr, "{}\n", note);
+  if (flags.verbose)
+    fmt::print(stderr, "{}: {} triangles, {} meshes, {} instances\n", view.scene.name, triangle_count(view.scene), view.scene.meshes.size(),
+               view.scene.instances.size());
+  return view;
+}
+
+gpu::DeviceOptions device_options(const SceneFlags& flags) { return {flags.device, flags.validation}; }
+
+void check_validation(const gpu::Device& device) {
+  const auto messages = device.validation_messages();
+  if (!messages.empty())
+    throw FailureError("validation layer", fmt::format("{} messages, the first: {}", messages.size(), messages.front()));
+}
+
+}  // namespace shadewright::app

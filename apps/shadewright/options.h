@@ -1,0 +1,47 @@
+// The flags that verbs share (architecture, section 5): which scene, seen and lit how, on which device.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <string>
+
+#include "progress_bar.h"
+#include "shadewright/gpu/device.h"
+#include "shadewright/scene/load.h"
+#include "shadewright/scene/scene.h"
+
+namespace shadewright::app {
+
+struct SceneFlags {
+  std::string scene;
+  std::string camera, eye, target;
+  double fov = 0;
+  std::string light, sun;
+  std::string size = "1920x1080";
+  uint32_t repeat = 10;
+  uint32_t reference_samples = 16;
+  std::string path;
+  uint32_t frames = 0;
+  std::string device;
+  bool quiet = false, verbose = false, validation = false;
+
+  void add_to(CLI::App& verb);
+};
+
+/// The scene with the camera and light that the flags, the file, or our own judgement chose.
+struct View {
+  Scene scene;
+  Camera camera;
+  Light light;
+  uint32_t width = 0, height = 0;
+  std::vector<std::string> notes;  ///< what was chosen or warned of
+};
+
+/// Loads and chooses; prints warnings and choices to stderr unless quiet. InputError for what does not fit.
+View load_view(const SceneFlags& flags, ProgressBar& progress);
+
+gpu::DeviceOptions device_options(const SceneFlags& flags);
+/// After the work: FailureError if the validation layer had something to say.
+void check_validation(const gpu::Device& device);
+
+}  // namespace shadewright::app

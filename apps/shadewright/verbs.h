@@ -1,0 +1,13 @@
+// The verbs of the command line: each adds its subcommand with what it runs.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace shadewright::app {
+
+void add_render(CLI::App& app);
+void add_compare(CLI::App& app);
+void add_scenes(CLI::App& app);
+void add_devices(CLI::App& app);
+
+}  // namespace shadewright::app

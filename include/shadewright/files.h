@@ -1,0 +1,21 @@
+// Files that are there whole or not at all.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string_view>
+
+namespace shadewright {
+
+/// Lets `write` fill a temporary file beside `file`, then renames it. If `write` throws, or the disk fails, nothing is left and
+/// what stood there before stays. FailureError names the file.
+void write_atomically(const std::filesystem::path& file, const std::function<void(const std::filesystem::path& temporary)>& write);
+
+/// Writes `bytes` so.
+void write_file(const std::filesystem::path& file, std::span<const std::byte> bytes);
+/// Writes `text` so.
+void write_file(const std::filesystem::path& file, std::string_view text);
+
+}  // namespace shadewright
