@@ -71,17 +71,6 @@ VoxelShadow own(const ShadowProperties& properties, std::vector<Dag>&& dags) {
   return VoxelShadow(properties, std::move(views), std::move(starts), owner);
 }
 
-void count_levels(const DagBuilder& builder, const Dag& dag, std::vector<LevelCounts>& levels) {
-  const std::vector<double> unmerged = unmerged_counts(dag.view(), dag.level_starts);
-  const uint32_t top = dag.log2_size - dag.log2_grid;
-  for (size_t i = 0; i + 1 < dag.level_starts.size(); ++i) {
-    const uint32_t height = top - uint32_t(i);
-    levels.push_back(
-        {height, unmerged[i], builder.pool(height).count(), 4 * (dag.level_starts[i + 1] - dag.level_starts[i])});
-  }
-  levels.push_back({0, unmerged.back(), dag.leaves.size(), 8 * dag.leaves.size()});
-}
-
 /// The same window at half the resolution.
 LightGrid halve(LightGrid grid) {
   --grid.log2_size;
@@ -141,7 +130,6 @@ BakeResult run(const Scene& scene, const Light& light, const BakeOptions& option
     dags.push_back(finish_dag(builder, root));
     progress("layout", 1.0);
     stages.finish("layout");
-    if (dags.size() == 1) count_levels(builder, dags[0], statistics.levels);
     budget.remove(snapped.triangles.size() * sizeof(SnappedTriangle));
     if (!options.pyramid || grid.log2_size == 6) break;
   }
@@ -150,7 +138,9 @@ BakeResult run(const Scene& scene, const Light& light, const BakeOptions& option
   statistics.stabbed_leaves = counts.stabbed;
   statistics.peak_bytes = budget.peak();
   statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  return {own(properties, std::move(dags)), std::move(statistics)};
+  BakeResult result{own(properties, std::move(dags)), std::move(statistics)};
+  result.statistics.levels = count_levels(result.shadow);
+  return result;
 }
 
 }  // namespace

@@ -150,27 +150,4 @@ Dag lay_out(const DagBuilder& builder, Value root, uint32_t log2_grid) {
   return dag;
 }
 
-std::vector<double> unmerged_counts(const DagView& dag, const std::vector<uint64_t>& level_starts) {
-  const size_t levels = level_starts.size() - 1;
-  std::vector<double> result(levels + 1, 0.0);
-  std::vector<double> times(dag.nodes.size(), 0.0);
-  for (const uint32_t cell : dag.grid)
-    if (cell > kVisible) times[cell] += 1;
-  for (size_t level = 0; level < levels; ++level) {
-    const bool slabs = level + 1 == levels;
-    for (uint64_t at = level_starts[level]; at < level_starts[level + 1]; at += node_words(dag.nodes[at])) {
-      const uint32_t header = dag.nodes[at];
-      result[level] += times[at];
-      for (uint32_t child = 0; child < 8; ++child) {
-        if (child_code(header, child) < kOwnPointer) continue;
-        if (slabs)
-          result[levels] += times[at];
-        else
-          times[dag.nodes[at + 1 + pointer_index(header, child, true)]] += times[at];
-      }
-    }
-  }
-  return result;
-}
-
 }  // namespace shadewright::voxel

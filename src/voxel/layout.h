@@ -29,7 +29,4 @@ uint32_t grid_for(uint32_t log2_size);
 /// `root` is the builder's value of the whole volume.
 Dag lay_out(const DagBuilder& builder, Value root, uint32_t log2_grid);
 
-/// Per height (from the grid's down to 3, then leaves), how many intersected nodes the tree would have without merging.
-std::vector<double> unmerged_counts(const DagView& dag, const std::vector<uint64_t>& level_starts);
-
 }  // namespace shadewright::voxel

@@ -18,19 +18,21 @@ EdgeRange range_over(const EdgeFunction& edge, const CenterBox& box) {
           corner + std::max<int64_t>(across, 0) + std::max<int64_t>(down, 0)};
 }
 
-constexpr int64_t kNever = INT64_MAX / 4;
+constexpr int32_t kNever = INT32_MAX;
 
-int64_t height_of(double sub_voxels) {
-  return int64_t(std::floor(sub_voxels / kSubVoxels + 0.5));
+int32_t height_of(double sub_voxels) {
+  return int32_t(std::floor(sub_voxels / kSubVoxels + 0.5));
 }
 
 /// Bounds of the triangle's height at the box's points that it covers: of its plane over the box, and of its corners.
 /// Double arithmetic, widened by more than it can be wrong.
-std::pair<int64_t, int64_t> height_bounds(const SnappedTriangle& t, const CenterBox& box) {
-  const auto [low, high] = std::minmax({t.corners[0].z, t.corners[1].z, t.corners[2].z});
+std::pair<int32_t, int32_t> height_bounds(const QuadTriangle& quad_triangle, const CenterBox& box) {
+  const SnappedTriangle& t = quad_triangle.triangle;
+  const glm::dvec2 slope = quad_triangle.slope;
+  const int32_t low = std::min({t.corners[0].z, t.corners[1].z, t.corners[2].z});
+  const int32_t high = std::max({t.corners[0].z, t.corners[1].z, t.corners[2].z});
   const glm::dvec3 a(t.corners[0]);
-  const glm::dvec2 slope = gradient(t),
-                   center(0.5 * double(box.x0 + box.x1) - a.x, 0.5 * double(box.y0 + box.y1) - a.y);
+  const glm::dvec2 center(0.5 * double(box.x0 + box.x1) - a.x, 0.5 * double(box.y0 + box.y1) - a.y);
   const glm::dvec2 reach(0.5 * double(box.x1 - box.x0), 0.5 * double(box.y1 - box.y0));
   const double middle = a.z + glm::dot(slope, center), spread = glm::dot(glm::abs(slope), reach);
   const double slack = 1 + 1e-9 * (glm::dot(glm::abs(slope), glm::abs(center)) + spread);
@@ -40,10 +42,9 @@ std::pair<int64_t, int64_t> height_bounds(const SnappedTriangle& t, const Center
 
 }  // namespace
 
-bool touches(const SnappedTriangle& t, const CenterBox& box) {
-  const auto [x0, x1] = std::minmax({t.corners[0].x, t.corners[1].x, t.corners[2].x});
-  const auto [y0, y1] = std::minmax({t.corners[0].y, t.corners[1].y, t.corners[2].y});
-  if (x1 < box.x0 || x0 > box.x1 || y1 < box.y0 || y0 > box.y1) return false;
+bool touches(const SnappedTriangle& t, const glm::ivec2& low, const glm::ivec2& high, const CenterBox& box) {
+  if (high.x < box.x0 || low.x > box.x1 || high.y < box.y0 || low.y > box.y1) return false;
+  if (low.x >= box.x0 && high.x <= box.x1 && low.y >= box.y0 && high.y <= box.y1) return true;
   for (int e = 0; e < 3; ++e)
     if (range_over(edge_function(t, e), box).high < 0) return false;
   return true;
@@ -62,45 +63,51 @@ bool silhouette_crosses(const SnappedTriangle& t, const CenterBox& box) {
   return false;
 }
 
-std::optional<FlatCut> QuadBounds::decide(const Quad& quad, std::span<const SnappedTriangle* const> triangles) {
+std::optional<FlatCut> QuadBounds::decide(const Quad& quad, std::span<const QuadTriangle* const> triangles) {
   const CenterBox box(quad, rules_.reach);
-  spans_.clear();
-  for (const SnappedTriangle* triangle : triangles) {
+  low_.clear(), high_.clear();
+  for (const QuadTriangle* triangle : triangles) {
     const auto [low, high] = height_bounds(*triangle, box);
-    spans_.push_back({low, high, triangle});
+    low_.push_back(low), high_.push_back(high);
   }
-  std::sort(spans_.begin(), spans_.end(), [](const Span& a, const Span& b) { return a.low < b.low; });
-
   // A sheet's triangles meet in edges over the quad, so that their ranges of heights overlap: the first chain of
-  // overlapping ranges holds the first sheet, whole.
-  const int64_t first_min = spans_.front().low;
-  int64_t first_max = spans_.front().high;
-  size_t chain = 1;
-  for (; chain < spans_.size() && spans_[chain].low <= first_max; ++chain)
-    first_max = std::max(first_max, spans_[chain].high);
-  bool alike = true;
-  const Crossing crossing = spans_.front().triangle->crossing;
-  for (size_t i = 1; i < chain; ++i) alike &= spans_[i].triangle->crossing == crossing;
-
-  int64_t limit_min = first_min;
-  if (alike && crossing != Crossing::open) {
-    // The counter cannot return to zero before the first surface of the other kind.
-    limit_min = kNever;
-    for (size_t i = chain; i < spans_.size(); ++i)
-      if (int(spans_[i].triangle->crossing) == -int(crossing)) {
-        limit_min = spans_[i].low;
-        break;
-      }
+  // overlapping ranges holds the first sheet, whole. If no silhouette edge of the chain crosses the quad, its sheets
+  // cover all texels.
+  const size_t count = triangles.size();
+  const int32_t first_min = *std::min_element(low_.begin(), low_.end());
+  int32_t first_max = first_min;
+  for (int32_t before = kNever; before != first_max;) {
+    before = first_max;
+    for (size_t i = 0; i < count; ++i) first_max = low_[i] <= before ? std::max(first_max, high_[i]) : first_max;
   }
-  if (rules_.static_receivers && alike) {
+  bool enters = false, leaves = false, open = false;
+  int32_t next_entry = kNever, next_exit = kNever, next = kNever;  // lowest bounds behind the chain
+  for (size_t i = 0; i < count; ++i) {
+    const Crossing crossing = triangles[i]->triangle.crossing;
+    if (low_[i] <= first_max) {
+      if (triangles[i]->triangle.silhouettes != 0 && silhouette_crosses(triangles[i]->triangle, box))
+        return std::nullopt;
+      enters |= crossing == Crossing::enters, leaves |= crossing == Crossing::leaves,
+          open |= crossing == Crossing::open;
+    } else {
+      next = std::min(next, low_[i]);
+      if (crossing == Crossing::enters) next_entry = std::min(next_entry, low_[i]);
+      if (crossing == Crossing::leaves) next_exit = std::min(next_exit, low_[i]);
+    }
+  }
+  int32_t limit_min = first_min;
+  // The counter cannot return to zero before the first surface of the other kind.
+  if (enters && !leaves && !open) limit_min = next_exit;
+  if (leaves && !enters && !open) limit_min = next_entry;
+  if (rules_.static_receivers && enters + leaves + open == 1) {
     // Each sheet covers each texel once: one texel tells how many sheets the chain has.
     const int64_t px = texel_center(quad.x + quad.side() / 2), py = texel_center(quad.y + quad.side() / 2);
     int sheets = 0;
-    for (size_t i = 0; i < chain; ++i) sheets += covers(*spans_[i].triangle, px, py);
-    if (sheets == 1) limit_min = std::max(limit_min, chain < spans_.size() ? spans_[chain].low : kNever);
+    for (size_t i = 0; i < count; ++i) sheets += low_[i] <= first_max && covers(triangles[i]->triangle, px, py);
+    if (sheets == 1) limit_min = std::max(limit_min, next);
   }
   if (limit_min != kNever) limit_min = std::max(limit_min - rules_.margin, first_min);
-  const FlatCut cut{std::clamp<int64_t>(first_max, 0, rules_.depth), std::clamp<int64_t>(limit_min, 0, rules_.depth)};
+  const FlatCut cut{std::clamp(first_max, 0, rules_.depth), std::clamp(limit_min, 0, rules_.depth)};
   if (cut.shadowed_from > cut.visible_to) return std::nullopt;
   return cut;
 }

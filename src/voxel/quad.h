@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "dag_builder.h"
-#include "sampling.h"
+#include "quad_triangle.h"
 #include "snapped.h"
 #include "tile.h"
 
@@ -37,26 +37,25 @@ struct CenterBox {
 };
 
 /// Whether a triangle, as a closed set, touches the box (exact).
-bool touches(const SnappedTriangle& triangle, const CenterBox& box);
+bool touches(const SnappedTriangle& triangle, const glm::ivec2& low, const glm::ivec2& high, const CenterBox& box);
 
 /// Whether one of the triangle's silhouette edges touches the box (exact).
 bool silhouette_crosses(const SnappedTriangle& triangle, const CenterBox& box);
 
-/// The cut that serves all texels of a quad, if bounds can tell. `triangles` are all that touch the widened quad's
-/// centres; none of their silhouette edges does.
+/// Heights between which a quad's triangles lie, triangle by triangle, and what follows from them for the quad.
 class QuadBounds {
  public:
   explicit QuadBounds(const TileRules& rules) : rules_(rules) {}
-  std::optional<FlatCut> decide(const Quad& quad, std::span<const SnappedTriangle* const> triangles);
+  /// The cut that serves all texels of a quad, if bounds can tell. `triangles` are all that touch the widened quad's
+  /// centres.
+  std::optional<FlatCut> decide(const Quad& quad, std::span<const QuadTriangle* const> triangles);
+  /// The lower bounds of the last call, triangle by triangle.
+  std::span<const int32_t> lows() const { return low_; }
+  std::span<const int32_t> highs() const { return high_; }
 
  private:
-  struct Span {
-    int64_t low, high;  ///< heights
-    const SnappedTriangle* triangle;
-  };
-
   TileRules rules_;
-  std::vector<Span> spans_;
+  std::vector<int32_t> low_, high_;
 };
 
 }  // namespace shadewright::voxel

@@ -42,7 +42,8 @@ Bins bin_triangles(const SnappedCasters& casters, uint32_t log2_size, uint32_t r
       const int32_t widen = int32_t(reach) + 1;
       for (int32_t y = bin(low.y, -widen); y <= bin(high.y, widen); ++y)
         for (int32_t x = bin(low.x, -widen); x <= bin(high.x, widen); ++x)
-          if (touches(triangle, CenterBox({height, x << height, y << height}, reach)))
+          if (touches(triangle, glm::ivec2(low), glm::ivec2(high),
+                      CenterBox({height, x << height, y << height}, reach)))
             use((uint32_t(y) << bins.log2_count | uint32_t(x)) * chunks + chunk, uint32_t(t));
     }
   };
@@ -73,16 +74,11 @@ class QuadRecursion {
 
   Column run(const Quad& quad, const SnappedCasters& casters, std::span<const uint32_t> items) {
     local_.clear();
-    for (const uint32_t item : items) local_.push_back(casters.triangles[item]);
+    for (const uint32_t item : items) local_.emplace_back(casters.triangles[item]);
     stack_.clear();
-    bool silhouette = false;
-    const CenterBox box(quad, rules_.reach);
-    for (const SnappedTriangle& triangle : local_) {
-      stack_.push_back(&triangle);
-      silhouette = silhouette || silhouette_crosses(triangle, box);
-    }
+    for (const QuadTriangle& triangle : local_) stack_.push_back(&triangle);
     Column result;
-    build(quad, 0, silhouette, result);
+    build(quad, 0, result);
     return result;
   }
 
@@ -91,30 +87,27 @@ class QuadRecursion {
 
  private:
   /// `stack_` holds the quad's triangles from `begin` to its end.
-  void build(const Quad& quad, size_t begin, bool silhouette, Column& result) {
+  void build(const Quad& quad, size_t begin, Column& result) {
     ++quads;
     const size_t end = stack_.size();
     if (begin == end) return flat_column(builder_, quad.height, {rules_.depth, rules_.depth}, result);
-    if (!silhouette)
-      if (const auto cut = bounds_.decide(quad, std::span(stack_).subspan(begin)))
-        return flat_column(builder_, quad.height, choose_cut(resolving_, *cut), result);
+    const std::span<const QuadTriangle* const> triangles = std::span(stack_).subspan(begin);
+    if (const auto cut = bounds_.decide(quad, triangles))
+      return flat_column(builder_, quad.height, choose_cut(resolving_, *cut), result);
     if (quad.height == kLog2Tile) {
       ++tiles;
-      raster_.rasterize(std::span(stack_).subspan(begin), quad.x, quad.y, ranges_);
+      raster_.rasterize(triangles, bounds_.lows(), bounds_.highs(), quad.x, quad.y, ranges_);
       return tiles_.build(ranges_, result);
     }
     std::array<Column, 4> parts;
     for (uint32_t i = 0; i < 4; ++i) {
       const Quad part = quad.quarter(i);
       const CenterBox box(part, rules_.reach);
-      bool crossed = false;
       for (size_t t = begin; t < end; ++t) {
-        const SnappedTriangle* triangle = stack_[t];
-        if (!touches(*triangle, box)) continue;
-        stack_.push_back(triangle);
-        crossed = crossed || (triangle->silhouettes != 0 && silhouette_crosses(*triangle, box));
+        const QuadTriangle* triangle = stack_[t];
+        if (touches(triangle->triangle, triangle->low, triangle->high, box)) stack_.push_back(triangle);
       }
-      build(part, end, crossed, parts[i]);
+      build(part, end, parts[i]);
       stack_.resize(end);
     }
     join_columns(builder_, quad.height, {&parts[0], &parts[1], &parts[2], &parts[3]}, result);
@@ -127,8 +120,8 @@ class QuadRecursion {
   TileRasterizer raster_;
   TileColumns tiles_;
   TileRanges ranges_;
-  std::vector<SnappedTriangle> local_;
-  std::vector<const SnappedTriangle*> stack_;
+  std::vector<QuadTriangle> local_;
+  std::vector<const QuadTriangle*> stack_;
 };
 
 }  // namespace

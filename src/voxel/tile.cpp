@@ -51,9 +51,9 @@ class EdgeRows {
 
 /// floor(plane) is `exact_height` wherever the distance to the next integer exceeds `error`. Operations round by at
 /// most 2^-53 relative each; the bound below counts them generously.
-HeightPlane height_plane(const SnappedTriangle& t, int32_t x, int32_t y, uint32_t side) {
-  const glm::dvec3 a(t.corners[0]);
-  const glm::dvec2 slope = gradient(t);
+HeightPlane height_plane(const QuadTriangle& triangle, int32_t x, int32_t y, uint32_t side) {
+  const glm::dvec3 a(triangle.triangle.corners[0]);
+  const glm::dvec2 slope = triangle.slope;
   const double px = double(texel_center(x)) - a.x, py = double(texel_center(y)) - a.y,
                reach = double(side) * kSubVoxels;
   HeightPlane plane;
@@ -69,13 +69,15 @@ HeightPlane height_plane(const SnappedTriangle& t, int32_t x, int32_t y, uint32_
 }  // namespace
 
 /// Which texels of the widened tile the triangle covers; false if none.
-bool TileRasterizer::find_rows(const SnappedTriangle& t, int32_t x, int32_t y) {
-  const auto [low, high] = std::minmax({t.corners[0].y, t.corners[1].y, t.corners[2].y});
+bool TileRasterizer::find_rows(const QuadTriangle& triangle, int32_t x, int32_t y) {
+  const SnappedTriangle& t = triangle.triangle;
   const int64_t side = this->side(), px = texel_center(x), py = texel_center(y), last = (side - 1) * kSubVoxels;
-  // Rows whose centres lie in [low, high].
-  const int64_t first = std::max<int64_t>(0, (low - py + kSubVoxels - 1) >> 8),
-                end = std::min(side, ((high - py) >> 8) + 1);
-  if (first >= end) return false;
+  // Rows and columns whose centres lie in the triangle's box.
+  const int64_t first = std::max<int64_t>(0, (triangle.low.y - py + kSubVoxels - 1) >> 8);
+  const int64_t end = std::min(side, ((triangle.high.y - py) >> 8) + 1);
+  const int64_t left_most = std::max<int64_t>(0, (triangle.low.x - px + kSubVoxels - 1) >> 8);
+  const int64_t right_most = std::min(side - 1, (triangle.high.x - px) >> 8);
+  if (first >= end || left_most > right_most) return false;
   first_row_ = uint32_t(first), end_row_ = uint32_t(end);
   std::array<EdgeRows, 3> steps{EdgeRows({}, 0, 0), EdgeRows({}, 0, 0), EdgeRows({}, 0, 0)};
   size_t edges = 0;
@@ -88,7 +90,7 @@ bool TileRasterizer::find_rows(const SnappedTriangle& t, int32_t x, int32_t y) {
   }
   uint64_t any = 0;
   for (uint32_t j = first_row_; j < end_row_; ++j) {
-    int32_t left = 0, right = int32_t(side) - 1;
+    int32_t left = int32_t(left_most), right = int32_t(right_most);
     for (size_t e = 0; e < edges; ++e) {
       steps[e].narrow(left, right);
       steps[e].next();
@@ -115,7 +117,7 @@ TileRasterizer::Layer& TileRasterizer::layer_for(Crossing crossing) {
   return layer;
 }
 
-void TileRasterizer::draw(const SnappedTriangle& triangle, int32_t x, int32_t y, Layer& layer) {
+void TileRasterizer::draw(const QuadTriangle& triangle, int32_t x, int32_t y, Layer& layer) {
   TileRows uncertain;
   const HeightPlane plane = height_plane(triangle, x, y, side());
   if (plane.error < 0.25)
@@ -127,20 +129,40 @@ void TileRasterizer::draw(const SnappedTriangle& triangle, int32_t x, int32_t y,
     for (uint64_t bits = uncertain[j]; bits != 0; bits &= bits - 1) {
       const int i = std::countr_zero(bits);
       layer.heights[j * kTileStride + uint32_t(i)] =
-          int32_t(exact_height(triangle, texel_center(x + i), texel_center(y + int64_t(j))));
+          int32_t(exact_height(triangle.triangle, texel_center(x + i), texel_center(y + int64_t(j))));
     }
   }
 }
 
-void TileRasterizer::rasterize(std::span<const SnappedTriangle* const> triangles, int32_t x, int32_t y,
-                               TileRanges& ranges) {
+bool TileRasterizer::all_covered() const {
+  const uint64_t full = (uint64_t(1) << side()) - 1;
+  for (uint32_t j = 0; j < side(); ++j) {
+    uint64_t row = 0;
+    for (size_t l = 0; l < used_layers_; ++l) row |= layers_[l].rows[j];
+    if (row != full) return false;
+  }
+  return true;
+}
+
+void TileRasterizer::rasterize(std::span<const QuadTriangle* const> triangles, std::span<const int32_t> lows,
+                               std::span<const int32_t> highs, int32_t x, int32_t y, TileRanges& ranges) {
   const int32_t left = x - int32_t(rules_.reach), top = y - int32_t(rules_.reach);
+  order_.clear();
+  for (uint32_t t = 0; t < triangles.size(); ++t) order_.emplace_back(lows[t], t);
+  std::sort(order_.begin(), order_.end());
   used_layers_ = 0;
-  for (const SnappedTriangle* triangle : triangles)
-    if (find_rows(*triangle, left, top)) draw(*triangle, left, top, layer_for(triangle->crossing));
-  std::vector<LayerView> views;
-  for (size_t l = 0; l < used_layers_; ++l) views.push_back({layers_[l].heights.data(), int32_t(layers_[l].crossing)});
-  resolve_layers(views, side(), rules_.static_receivers, first_.data(), limit_.data());
+  int32_t drawn_to = INT32_MIN, rest_from = kNoHit;
+  for (const auto& [low, t] : order_) {
+    if (low > drawn_to && drawn_to != INT32_MIN && all_covered()) {
+      rest_from = low;
+      break;
+    }
+    drawn_to = std::max(drawn_to, highs[t]);
+    if (find_rows(*triangles[t], left, top)) draw(*triangles[t], left, top, layer_for(triangles[t]->triangle.crossing));
+  }
+  views_.clear();
+  for (size_t l = 0; l < used_layers_; ++l) views_.push_back({layers_[l].heights.data(), int32_t(layers_[l].crossing)});
+  resolve_layers(views_, side(), rules_.static_receivers, rest_from, first_.data(), limit_.data());
   if (rules_.reach > 0) window_minimum(limit_.data(), side(), rules_.reach);
   for (uint32_t j = 0; j < kTileSide; ++j) {
     const int32_t* first = &first_[(j + rules_.reach) * kTileStride + rules_.reach];

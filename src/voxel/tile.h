@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <deque>
 #include <span>
+#include <vector>
 
+#include "quad_triangle.h"
 #include "sampling.h"
 #include "snapped.h"
 #include "tile_simd.h"
@@ -32,8 +34,10 @@ class TileRasterizer {
  public:
   explicit TileRasterizer(const TileRules& rules) : rules_(rules) {}
   /// Texels [x, x + 32) x [y, y + 32). `triangles` holds at least all that cover a texel centre of the tile widened by
-  /// `reach`.
-  void rasterize(std::span<const SnappedTriangle* const> triangles, int32_t x, int32_t y, TileRanges& ranges);
+  /// `reach`; each one's heights there lie in [lows, highs]. Triangles behind depths at which every texel is covered
+  /// are not looked at: where the undefined region does not end before them, `limit` is where they begin.
+  void rasterize(std::span<const QuadTriangle* const> triangles, std::span<const int32_t> lows,
+                 std::span<const int32_t> highs, int32_t x, int32_t y, TileRanges& ranges);
 
  private:
   /// Triangles of one kind that do not overlap.
@@ -44,13 +48,16 @@ class TileRasterizer {
   };
 
   uint32_t side() const { return kTileSide + 2 * rules_.reach; }
-  bool find_rows(const SnappedTriangle& triangle, int32_t x, int32_t y);
+  bool find_rows(const QuadTriangle& triangle, int32_t x, int32_t y);
   Layer& layer_for(Crossing crossing);
-  void draw(const SnappedTriangle& triangle, int32_t x, int32_t y, Layer& layer);
+  void draw(const QuadTriangle& triangle, int32_t x, int32_t y, Layer& layer);
+  bool all_covered() const;
 
   TileRules rules_;
   std::deque<Layer> layers_;
   size_t used_layers_ = 0;
+  std::vector<std::pair<int32_t, uint32_t>> order_;  ///< lower bound of height, triangle
+  std::vector<LayerView> views_;
   TileRows rows_{};  ///< of the triangle being drawn, with its range of rows
   uint32_t first_row_ = 0, end_row_ = 0;
   alignas(64) TileHeights first_, limit_;

@@ -53,8 +53,8 @@ void FillHeights(const HeightPlane& plane, const TileRows& rows, uint32_t first_
   }
 }
 
-void ResolveLayers(std::span<const LayerView> layers, uint32_t row_count, bool static_receivers, int32_t* first,
-                   int32_t* limit) {
+void ResolveLayers(std::span<const LayerView> layers, uint32_t row_count, bool static_receivers, int32_t rest_from,
+                   int32_t* first, int32_t* limit) {
   const hn::CappedTag<int32_t, 16> d;
   const size_t lanes = hn::Lanes(d), count = size_t(row_count) * kTileStride;
   const auto none = hn::Set(d, kNoHit), zero = hn::Zero(d);
@@ -90,7 +90,7 @@ void ResolveLayers(std::span<const LayerView> layers, uint32_t row_count, bool s
       exit = hn::IfThenElse(entered, depth, exit);
     }
     hn::Store(nearest, d, first + i);
-    hn::Store(static_receivers ? hn::Max(exit, second) : exit, d, limit + i);
+    hn::Store(hn::Min(static_receivers ? hn::Max(exit, second) : exit, hn::Set(d, rest_from)), d, limit + i);
   }
 }
 
@@ -181,9 +181,9 @@ void fill_heights(const HeightPlane& plane, const TileRows& rows, uint32_t first
   HWY_DYNAMIC_DISPATCH(FillHeights)(plane, rows, first_row, end_row, heights, uncertain);
 }
 
-void resolve_layers(std::span<const LayerView> layers, uint32_t row_count, bool static_receivers, int32_t* first,
-                    int32_t* limit) {
-  HWY_DYNAMIC_DISPATCH(ResolveLayers)(layers, row_count, static_receivers, first, limit);
+void resolve_layers(std::span<const LayerView> layers, uint32_t row_count, bool static_receivers, int32_t rest_from,
+                    int32_t* first, int32_t* limit) {
+  HWY_DYNAMIC_DISPATCH(ResolveLayers)(layers, row_count, static_receivers, rest_from, first, limit);
 }
 
 void window_minimum(int32_t* values, uint32_t row_count, uint32_t reach) {

@@ -30,9 +30,10 @@ struct LayerView {
   int32_t count;  ///< what a crossing adds to the entry counter: 1, -1, or 0 for open surfaces
 };
 
-/// First crossing, and where the undefined region ends, of all texels of `row_count` rows: see `range_of_crossings`.
-void resolve_layers(std::span<const LayerView> layers, uint32_t row_count, bool static_receivers, int32_t* first,
-                    int32_t* limit);
+/// First crossing, and where the undefined region ends (at `rest_from` at the latest), of all texels of `row_count`
+/// rows: see `range_of_crossings`.
+void resolve_layers(std::span<const LayerView> layers, uint32_t row_count, bool static_receivers, int32_t rest_from,
+                    int32_t* first, int32_t* limit);
 
 /// Minimum over windows of (2 reach + 1)²: result (i, j) is of the window with its lowest corner at (i, j). Needs, and
 /// spoils, `values`; rows beyond row_count - 2 reach and columns beyond kTileStride - 2 reach are unspecified.

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <memory>
 #include <numeric>
+#include <unordered_map>
 
 #include "shadewright/geometry/box.h"
 
@@ -45,12 +46,15 @@ class Components {
 };
 
 struct HalfEdge {
-  uint32_t other;  ///< the corner with the greater index
-  uint32_t edge;   ///< 3 * triangle + edge
-  bool forward;    ///< from the lower to the greater index
+  uint32_t other;      ///< the corner with the greater index
+  uint32_t edge_bits;  ///< (3 * triangle + edge) << 1 | from the lower to the greater index
+
+  uint32_t edge() const { return edge_bits >> 1; }
+  bool forward() const { return edge_bits & 1; }
+  bool operator<(const HalfEdge& b) const { return other != b.other ? other < b.other : edge_bits < b.edge_bits; }
 };
 
-/// All half-edges by the lower of their corners, in the order of their edges.
+/// All half-edges by the lower of their corners, each corner's in any order.
 struct HalfEdges {
   std::vector<uint32_t> starts;
   std::vector<HalfEdge> items;
@@ -60,19 +64,23 @@ HalfEdges sort_half_edges(const Casters& casters) {
   HalfEdges sorted;
   sorted.starts.assign(casters.positions.size() + 1, 0);
   const auto each = [&](auto&& visit) {
-    for (uint32_t t = 0; t < casters.triangles.size(); ++t)
-      for (uint32_t e = 0; e < 3; ++e) {
-        const uint32_t a = casters.triangles[t][int(e)], b = casters.triangles[t][int(e + 1) % 3];
-        visit(a, b, 3 * t + e);
-      }
+    tbb::parallel_for(tbb::blocked_range<uint32_t>(0, uint32_t(casters.triangles.size()), 16384),
+                      [&](const auto& range) {
+                        for (uint32_t t = range.begin(); t < range.end(); ++t)
+                          for (uint32_t e = 0; e < 3; ++e)
+                            visit(casters.triangles[t][int(e)], casters.triangles[t][int(e + 1) % 3], 3 * t + e);
+                      });
   };
-  each([&](uint32_t a, uint32_t b, uint32_t) { ++sorted.starts[std::min(a, b) + 1]; });
-  std::partial_sum(sorted.starts.begin(), sorted.starts.end(), sorted.starts.begin());
+  const auto count = [](uint32_t& counter) { return std::atomic_ref(counter).fetch_add(1, std::memory_order_relaxed); };
+  each([&](uint32_t a, uint32_t b, uint32_t) { count(sorted.starts[std::min(a, b)]); });
+  std::exclusive_scan(sorted.starts.begin(), sorted.starts.end(), sorted.starts.begin(), 0u);
   sorted.items.resize(3 * casters.triangles.size());
-  std::vector<uint32_t> next(sorted.starts.begin(), sorted.starts.end() - 1);
+  // Filling moves every start to its end, which is the next one's start.
   each([&](uint32_t a, uint32_t b, uint32_t edge) {
-    sorted.items[next[std::min(a, b)]++] = {std::max(a, b), edge, a < b};
+    sorted.items[count(sorted.starts[std::min(a, b)])] = {std::max(a, b), edge << 1 | uint32_t(a < b)};
   });
+  std::copy_backward(sorted.starts.begin(), sorted.starts.end() - 1, sorted.starts.end());
+  sorted.starts[0] = 0;
   return sorted;
 }
 
@@ -94,10 +102,47 @@ bool contains(const Casters& casters, const std::vector<uint32_t>& component, ui
 }
 
 struct Body {
+  uint32_t root = 0;  ///< its component
   bool balanced = true;
   double volume = 0;  ///< times 6
   Box box;
 };
+
+/// In the order of their first triangles. Sums run over chunks of a fixed size, so that they round alike for any
+/// threads.
+std::vector<Body> find_bodies(const Casters& casters, const std::vector<uint32_t>& component,
+                              const std::vector<uint8_t>& unbalanced) {
+  const size_t count = casters.triangles.size(), chunk = 65536, chunks = (count + chunk - 1) / chunk;
+  std::vector<std::vector<Body>> parts(chunks);
+  tbb::parallel_for(size_t(0), chunks, [&](size_t c) {
+    for (size_t t = c * chunk; t < std::min(count, (c + 1) * chunk); ++t) {
+      if (parts[c].empty() || parts[c].back().root != component[t]) parts[c].push_back({component[t], true, 0, {}});
+      Body& body = parts[c].back();
+      body.balanced &= !unbalanced[t];
+      const glm::uvec3 corners = casters.triangles[t];
+      const glm::dvec3 base = casters.positions[casters.triangles[component[t]].x];  // keeps sums precise far from zero
+      const glm::dvec3 a = casters.positions[corners.x], b = casters.positions[corners.y],
+                       p = casters.positions[corners.z];
+      body.volume += glm::dot(a - base, glm::cross(b - base, p - base));
+      for (const glm::dvec3& corner : {a, b, p}) body.box.extend(corner);
+    }
+  });
+  std::vector<Body> bodies;
+  std::unordered_map<uint32_t, size_t> number;
+  for (const std::vector<Body>& part : parts)
+    for (const Body& piece : part) {
+      const auto [at, fresh] = number.emplace(piece.root, bodies.size());
+      if (fresh) {
+        bodies.push_back(piece);
+        continue;
+      }
+      Body& body = bodies[at->second];
+      body.balanced &= piece.balanced;
+      body.volume += piece.volume;
+      body.box.extend(piece.box);
+    }
+  return bodies;
+}
 
 }  // namespace
 
@@ -106,25 +151,23 @@ Topology find_topology(const Casters& casters, const Scene& scene, ClosedMode mo
   Topology topology;
   topology.neighbours.assign(3 * count, kNoTriangle);
   topology.closed.assign(count, mode == ClosedMode::all ? 1 : 0);
-  const HalfEdges sorted = sort_half_edges(casters);
+  HalfEdges sorted = sort_half_edges(casters);
   Components components(count);
   std::vector<uint8_t> unbalanced(count, 0);
   tbb::parallel_for(tbb::blocked_range<size_t>(0, casters.positions.size(), 16384), [&](const auto& range) {
-    std::vector<HalfEdge> around;
     for (size_t v = range.begin(); v < range.end(); ++v) {
-      around.assign(sorted.items.begin() + sorted.starts[v], sorted.items.begin() + sorted.starts[v + 1]);
-      std::stable_sort(around.begin(), around.end(),
-                       [](const HalfEdge& a, const HalfEdge& b) { return a.other < b.other; });
-      for (size_t begin = 0, end = 0; begin < around.size(); begin = end) {
+      const auto begin = sorted.items.begin() + sorted.starts[v], end = sorted.items.begin() + sorted.starts[v + 1];
+      std::sort(begin, end);
+      for (auto edge = begin, next = begin; edge != end; edge = next) {
         int forward = 0;
-        for (end = begin; end < around.size() && around[end].other == around[begin].other; ++end) {
-          forward += around[end].forward ? 1 : -1;
-          components.unite(around[begin].edge / 3, around[end].edge / 3);
+        for (; next != end && next->other == edge->other; ++next) {
+          forward += next->forward() ? 1 : -1;
+          components.unite(edge->edge() / 3, next->edge() / 3);
         }
-        if (forward != 0) std::atomic_ref(unbalanced[around[begin].edge / 3]).store(1, std::memory_order_relaxed);
-        if (end - begin == 2 && forward == 0) {
-          topology.neighbours[around[begin].edge] = around[begin + 1].edge / 3;
-          topology.neighbours[around[begin + 1].edge] = around[begin].edge / 3;
+        if (forward != 0) std::atomic_ref(unbalanced[edge->edge() / 3]).store(1, std::memory_order_relaxed);
+        if (next - edge == 2 && forward == 0) {
+          topology.neighbours[edge->edge()] = edge[1].edge() / 3;
+          topology.neighbours[edge[1].edge()] = edge->edge() / 3;
         }
       }
     }
@@ -132,27 +175,12 @@ Topology find_topology(const Casters& casters, const Scene& scene, ClosedMode mo
 
   std::vector<uint32_t>& component = topology.component;
   component.resize(count);
-  for (uint32_t t = 0; t < count; ++t) component[t] = components.find(t);
+  tbb::parallel_for(tbb::blocked_range<uint32_t>(0, uint32_t(count), 16384), [&](const auto& range) {
+    for (uint32_t t = range.begin(); t < range.end(); ++t) component[t] = components.find(t);
+  });
+  const std::vector<Body> bodies = find_bodies(casters, component, unbalanced);
   std::vector<uint32_t> body_of(count, kNoTriangle);  // by root
-  std::vector<Body> bodies;
-  std::vector<uint32_t> roots;
-  for (uint32_t t = 0; t < count; ++t) {
-    uint32_t& number = body_of[component[t]];
-    if (number == kNoTriangle) {
-      number = uint32_t(bodies.size());
-      bodies.emplace_back();
-      roots.push_back(component[t]);
-    }
-    Body& body = bodies[number];
-    body.balanced &= !unbalanced[t];
-    const glm::uvec3 corners = casters.triangles[t];
-    const glm::dvec3 base =
-        casters.positions[casters.triangles[component[t]].x];  // keeps the sum precise far from zero
-    const glm::dvec3 a = casters.positions[corners.x], b = casters.positions[corners.y],
-                     c = casters.positions[corners.z];
-    body.volume += glm::dot(a - base, glm::cross(b - base, c - base));
-    for (const glm::dvec3& p : {a, b, c}) body.box.extend(p);
-  }
+  for (uint32_t body = 0; body < bodies.size(); ++body) body_of[bodies[body].root] = body;
 
   std::vector<glm::dvec3> eyes;
   for (const Camera& camera : scene.cameras) eyes.push_back(camera.eye);
@@ -167,7 +195,7 @@ Topology find_topology(const Casters& casters, const Scene& scene, ClosedMode mo
   };
   for (size_t body = 0; body < bodies.size(); ++body) {
     const auto inside = [&](const glm::dvec3& eye) {
-      return bodies[body].box.contains(eye) && contains(casters, component, roots[body], eye);
+      return bodies[body].box.contains(eye) && contains(casters, component, bodies[body].root, eye);
     };
     if (!bodies[body].balanced) {
       ++topology.components.open;
@@ -183,7 +211,7 @@ Topology find_topology(const Casters& casters, const Scene& scene, ClosedMode mo
     }
   }
   if (mode == ClosedMode::automatic)
-    for (size_t t = 0; t < count; ++t) topology.closed[t] = closed[body_of[component[t]]];
+    tbb::parallel_for(size_t(0), count, [&](size_t t) { topology.closed[t] = closed[body_of[component[t]]]; });
   return topology;
 }
 

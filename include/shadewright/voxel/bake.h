@@ -10,6 +10,7 @@
 #include "shadewright/geometry/box.h"
 #include "shadewright/progress.h"
 #include "shadewright/scene/scene.h"
+#include "shadewright/voxel/info.h"
 #include "shadewright/voxel/shadow.h"
 
 namespace shadewright::voxel {
@@ -52,14 +53,6 @@ struct StageSeconds {
   double seconds = 0;
 };
 
-/// Nodes of one height of the full-resolution DAG; height 0 is the leaves.
-struct LevelCounts {
-  uint32_t height = 0;
-  double unmerged = 0;  ///< intersected nodes of the tree, below the grid
-  uint64_t merged = 0;  ///< nodes of the DAG
-  uint64_t bytes = 0;
-};
-
 struct BakeStatistics {
   uint64_t triangles = 0;
   uint64_t moving_instances = 0;   ///< left out of the bake
@@ -67,7 +60,7 @@ struct BakeStatistics {
   uint64_t silhouette_triangles = 0;
   uint64_t quads = 0, tiles = 0, stabbed_leaves = 0;  ///< visited by the recursion; rasterized; with more than one step
   ComponentCounts components;
-  std::vector<LevelCounts> levels;
+  std::vector<LevelCounts> levels;  ///< of the full resolution
   std::vector<StageSeconds> stages;
   double seconds = 0;
   uint64_t peak_bytes = 0;  ///< of nodes, tables and lists, not of the scene itself
