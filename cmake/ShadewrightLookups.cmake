@@ -1,18 +1,13 @@
 # Generates the shaders of each combination of the three axes from templates with one include an axis, and the table by which
 # the library finds them. Call shadewright_combination for each legal one, then shadewright_lookup_table once.
 
-set(shadewright_lookup_includes "" CACHE INTERNAL "")
-set(shadewright_lookup_entries "" CACHE INTERNAL "")
-set(shadewright_oracle_entries "" CACHE INTERNAL "")
-set(shadewright_caster_entries "" CACHE INTERNAL "")
-
 # One generated shader: TEMPLATE with @parameterization@ etc. of the calling scope, embedded as NAME and listed in LIST as KEY.
 macro(_shadewright_generate template name list key)
   if(NOT TARGET shader_${name})
     configure_file("${template}" "${PROJECT_BINARY_DIR}/generated/${name}.${stage}" @ONLY)
     shadewright_shader(shadewright_render "${PROJECT_BINARY_DIR}/generated/${name}.${stage}" NAME ${name})
-    set(shadewright_lookup_includes "${shadewright_lookup_includes}#include \"shaders/${name}.h\"\n" CACHE INTERNAL "")
-    set(${list} "${${list}}    {\"${key}\", ${name}},\n" CACHE INTERNAL "")
+    set_property(GLOBAL APPEND_STRING PROPERTY shadewright_lookup_includes "#include \"shaders/${name}.h\"\n")
+    set_property(GLOBAL APPEND_STRING PROPERTY ${list} "    {\"${key}\", ${name}},\n")
   endif()
 endmacro()
 
@@ -28,6 +23,9 @@ function(shadewright_combination parameterization storage filter)
 endfunction()
 
 function(shadewright_lookup_table)
+  foreach(list lookup_includes lookup_entries oracle_entries caster_entries)
+    get_property(shadewright_${list} GLOBAL PROPERTY shadewright_${list})
+  endforeach()
   set(entry "inline constexpr std::pair<std::string_view, std::span<const uint32_t>>")
   file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/shaders/shaders/lookup_table.h" CONTENT "#pragma once
 #include <cstdint>

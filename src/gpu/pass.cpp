@@ -89,12 +89,14 @@ vk::raii::Sampler make_sampler(const Device& device, vk::Filter filter) {
 }
 
 ComputePass::ComputePass(const Device& device, std::span<const uint32_t> spirv, std::vector<BindingKind> kinds,
-                         uint32_t push_bytes, std::span<const vk::DescriptorSetLayout> sets)
+                         uint32_t push_bytes, std::span<const vk::DescriptorSetLayout> sets, vk::Bool32 constant)
     : kinds_(std::move(kinds)) {
   set_layout_ = make_set_layout(device, kinds_, vk::ShaderStageFlagBits::eCompute, true);
   layout_ = make_layout(device, set_layout_, sets, push_bytes, vk::ShaderStageFlagBits::eCompute);
   const auto shader = make_shader(device, spirv);
-  const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *shader, "main");
+  const vk::SpecializationMapEntry entry(0, 0, sizeof(constant));
+  const vk::SpecializationInfo specialization(1, &entry, sizeof(constant), &constant);
+  const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *shader, "main", &specialization);
   pipeline_ = vk::raii::Pipeline(device.handle(), nullptr, vk::ComputePipelineCreateInfo({}, stage, *layout_));
 }
 
@@ -116,9 +118,7 @@ GraphicsPass::GraphicsPass(const Device& device, const GraphicsDesc& desc) : kin
     fragment = make_shader(device, desc.fragment);
     stages.push_back({{}, vk::ShaderStageFlagBits::eFragment, *fragment, "main"});
   }
-  const vk::VertexInputBindingDescription vertex_binding(0, 3 * sizeof(float));
-  const vk::VertexInputAttributeDescription position(0, 0, vk::Format::eR32G32B32Sfloat);
-  const vk::PipelineVertexInputStateCreateInfo vertex_input({}, vertex_binding, position);
+  const vk::PipelineVertexInputStateCreateInfo vertex_input({}, desc.vertex_bindings, desc.vertex_attributes);
   const vk::PipelineInputAssemblyStateCreateInfo assembly({}, vk::PrimitiveTopology::eTriangleList);
   const vk::PipelineViewportStateCreateInfo viewport({}, 1, nullptr, 1, nullptr);
   vk::PipelineRasterizationStateCreateInfo raster;

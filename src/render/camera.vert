@@ -1,22 +1,25 @@
-// Camera pass: positions relative to the eye, and where the draw's triangles begin.
+// Camera pass: positions relative to the eye, and what the fragment shader needs for the triangle's own normal.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
+#include "render/scene_vertex.glsl"
 #include "render/shared.h"
 
-layout(location = 0) in vec3 position_mesh;
-layout(location = 0) flat out uint instance_index;
-layout(location = 1) flat out uint first_triangle;
-layout(location = 2) out vec3 relative;
+layout(location = 0) flat out uint first_triangle;
+layout(location = 1) flat out mat3 normal_from_mesh;
+#ifdef WITH_ALBEDO
+layout(location = 4) flat out vec4 albedo;
+#endif
 
-layout(binding = 0, scalar) readonly buffer Instances { InstanceData instances[]; };
-layout(binding = 1, scalar) readonly buffer Visible { uint visible[]; };
-layout(binding = 2, scalar) readonly buffer Draws { DrawCommand draws[]; };
-layout(binding = 4, scalar) uniform Camera { CameraData camera; };
+layout(binding = 1, scalar) uniform Camera { CameraData camera; };
 
 void main() {
-  instance_index = visible[gl_InstanceIndex];
-  first_triangle = draws[gl_DrawID].first_index / 3;
-  relative = instances[instance_index].world_from_mesh * vec4(position_mesh, 1.0) - camera.eye;
-  gl_Position = camera.clip_from_relative * vec4(relative, 1.0);
+  first_triangle = cluster_first_triangle;
+  // The cofactors of the linear part map cross products of edges, so the winding is that of the triangle in the world.
+  vec3 x = world_from_mesh_row_x.xyz, y = world_from_mesh_row_y.xyz, z = world_from_mesh_row_z.xyz;
+  normal_from_mesh = transpose(mat3(cross(y, z), cross(z, x), cross(x, y)));
+#ifdef WITH_ALBEDO
+  albedo = instance_albedo;
+#endif
+  gl_Position = camera.clip_from_relative * vec4(scene_world_position() - camera.eye, 1.0);
 }

@@ -6,6 +6,7 @@
 
 #include "render/shared.h"
 #include "shaders/camera_albedo_frag.h"
+#include "shaders/camera_albedo_vert.h"
 #include "shaders/camera_frag.h"
 #include "shaders/camera_vert.h"
 #include "shadewright/error.h"
@@ -90,9 +91,10 @@ CameraPass::CameraPass(const SceneGpu& scene, uint32_t width, uint32_t height, b
 
   using enum gpu::BindingKind;
   gpu::GraphicsDesc desc;
-  desc.vertex = shaders::camera_vert;
+  desc.vertex = with_albedo ? std::span<const uint32_t>(shaders::camera_albedo_vert) : shaders::camera_vert;
   desc.fragment = with_albedo ? std::span<const uint32_t>(shaders::camera_albedo_frag) : shaders::camera_frag;
-  desc.kinds = {storage_buffer, storage_buffer, storage_buffer, storage_buffer, uniform_buffer};
+  desc.kinds = {storage_buffer, uniform_buffer};
+  CulledDraws::set_vertex_input(desc);
   desc.colors = {vk::Format::eR16G16Snorm};
   if (with_albedo) desc.colors.push_back(vk::Format::eR8G8B8A8Unorm);
   desc.depth_compare = vk::CompareOp::eGreater;
@@ -124,9 +126,7 @@ void CameraPass::record(gpu::Recorder& recorder, const CameraView& view) {
     commands.setViewport(0, vk::Viewport(0, 0, static_cast<float>(area.extent.width), static_cast<float>(area.extent.height), 0, 1));
     commands.setScissor(0, area);
     using gpu::Binding;
-    const Binding bindings[] = {Binding::storage(scene_.instances()), Binding::storage(draws_.visible()),
-                                Binding::storage(draws_.commands()), Binding::storage(scene_.triangle_normals()),
-                                Binding::uniform(camera_)};
+    const Binding bindings[] = {Binding::storage(scene_.triangle_normals()), Binding::uniform(camera_)};
     pass_.bind(commands, bindings, {});
     draws_.draw(commands, 0);
     commands.endRendering();

@@ -11,7 +11,7 @@ layout(binding = 1, scalar) readonly buffer Instances { InstanceData instances[]
 layout(binding = 2, scalar) readonly buffer Views { CullView views[]; };
 layout(binding = 3, scalar) readonly buffer Order { uint order[]; };
 layout(binding = 4, scalar) writeonly buffer Draws { DrawCommand draws[]; };
-layout(binding = 5, scalar) writeonly buffer Visible { uint visible[]; };
+layout(binding = 5, scalar) writeonly buffer Visible { VisibleInstance visible[]; };
 layout(push_constant, scalar) uniform Push { CullConstants constants; };
 
 bool outside(InstanceData instance, ClusterData cluster, uint view) {
@@ -33,7 +33,9 @@ void main() {
   uint count = 0;
   for (uint i = 0; i < cluster.instance_count; ++i) {
     uint instance = cluster.first_instance + i;
-    if (!outside(instances[instance], cluster, view)) visible[base + count++] = instance;
+    if (outside(instances[instance], cluster, view)) continue;
+    mat3x4 rows = transpose(instances[instance].world_from_mesh);
+    visible[base + count++] = VisibleInstance(vec4[3](rows[0], rows[1], rows[2]), instances[instance].albedo, cluster.first_index / 3);
   }
   draws[view * constants.cluster_count + slot] = DrawCommand(cluster.index_count, count, cluster.first_index, 0, base);
 }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstddef>
 #include <numeric>
 #include <stdexcept>
 
@@ -35,7 +36,7 @@ CulledDraws::CulledDraws(const SceneGpu& scene, uint32_t max_views, uint32_t fra
     std::iota(order.begin(), order.end(), 0u);
   }
   draws_ = gpu::Buffer(device, name + " draws", uint64_t{max_views} * scene.cluster_count() * sizeof(shared::DrawCommand));
-  visible_ = gpu::Buffer(device, name + " visible instances", uint64_t{max_views} * scene.list_capacity() * sizeof(uint32_t));
+  visible_ = gpu::Buffer(device, name + " visible instances", uint64_t{max_views} * scene.list_capacity() * sizeof(shared::VisibleInstance));
 }
 
 void CulledDraws::set_views(uint32_t slot, std::span<const std::vector<Plane>> views, std::span<const uint32_t> order) {
@@ -56,10 +57,21 @@ void CulledDraws::cull(const vk::raii::CommandBuffer& commands, uint32_t slot) c
 }
 
 void CulledDraws::draw(const vk::raii::CommandBuffer& commands, uint32_t view) const {
-  commands.bindVertexBuffers(0, scene_.positions().handle(), vk::DeviceSize{0});
+  commands.bindVertexBuffers(0, {scene_.positions().handle(), visible_.handle()}, {0, 0});
   commands.bindIndexBuffer(scene_.indices().handle(), 0, vk::IndexType::eUint32);
   const uint64_t first = uint64_t{view} * scene_.cluster_count() * sizeof(shared::DrawCommand);
   commands.drawIndexedIndirect(draws_.handle(), first, scene_.cluster_count(), sizeof(shared::DrawCommand));
+}
+
+void CulledDraws::set_vertex_input(gpu::GraphicsDesc& desc) {
+  using Format = vk::Format;
+  desc.vertex_bindings = {{0, sizeof(glm::vec3), vk::VertexInputRate::eVertex},
+                          {1, sizeof(shared::VisibleInstance), vk::VertexInputRate::eInstance}};
+  desc.vertex_attributes = {{0, 0, Format::eR32G32B32Sfloat, 0}};
+  for (uint32_t row = 0; row < 3; ++row)
+    desc.vertex_attributes.push_back({1 + row, 1, Format::eR32G32B32A32Sfloat, row * static_cast<uint32_t>(sizeof(glm::vec4))});
+  desc.vertex_attributes.push_back({4, 1, Format::eR8G8B8A8Unorm, offsetof(shared::VisibleInstance, albedo)});
+  desc.vertex_attributes.push_back({5, 1, Format::eR32Uint, offsetof(shared::VisibleInstance, first_triangle)});
 }
 
 std::vector<gpu::Allocation> CulledDraws::allocations() const {

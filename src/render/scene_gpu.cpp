@@ -57,18 +57,6 @@ uint32_t packed_normal(const Mesh& mesh, const glm::uvec3& triangle) {
   return glm::packSnorm2x16(octahedral(glm::vec3(glm::normalize(glm::cross(b - a, c - a)))));
 }
 
-shared::InstanceData instance_data(const glm::dmat4& world_from_mesh, const Instance& instance) {
-  shared::InstanceData data;
-  data.world_from_mesh = glm::mat4x3(glm::mat4(world_from_mesh));
-  // Scaled so that its largest column is near 1: tiny or huge instances would overflow a float inverse transpose.
-  const glm::dmat3 normals = glm::transpose(glm::inverse(glm::dmat3(world_from_mesh)));
-  const double scale = std::max({glm::length(normals[0]), glm::length(normals[1]), glm::length(normals[2])});
-  data.normal_from_mesh = glm::mat3(normals / scale);
-  data.albedo = instance.albedo;
-  data.moving = instance.motion ? 1 : 0;
-  return data;
-}
-
 }  // namespace
 
 SceneGpu::SceneGpu(const gpu::Device& device, const Scene& scene, double time) : device_(device) {
@@ -87,7 +75,7 @@ SceneGpu::SceneGpu(const gpu::Device& device, const Scene& scene, double time) :
     const Instance& instance = scene.instances[index];
     const glm::dmat4 world_from_mesh = transform_at(scene, instance, time);
     if (mesh_instances[instance.mesh].y++ == 0) mesh_instances[instance.mesh].x = static_cast<uint32_t>(instances.size());
-    instances.push_back(instance_data(world_from_mesh, instance));
+    instances.push_back({glm::mat4x3(glm::mat4(world_from_mesh)), glm::packUnorm4x8(glm::vec4(instance.albedo, 1.0f))});
     instance_bounds_[index] = transform(world_from_mesh, mesh_bounds[instance.mesh]);
     instance_centers_.emplace_back(instance_bounds_[index].center());
     bounds_.extend(instance_bounds_[index]);

@@ -57,17 +57,19 @@ MapTechnique::MapTechnique(const gpu::Device& device, const Spec& spec, const Te
   pool_ = vk::raii::DescriptorPool(device.handle(), {vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, count, sizes});
   const std::vector<vk::DescriptorSetLayout> layouts(count, *lookup_layout_);
   for (auto& set : vk::raii::DescriptorSets(device.handle(), {*pool_, layouts})) lookup_sets_.push_back(std::move(set));
-  using enum gpu::BindingKind;
-  const vk::DescriptorSetLayout lookup_layout = *lookup_layout_;
-  lookup_ = gpu::ComputePass(device, lookup_shader(spec.parameterization + "/" + spec.storage + "/" + spec.filter),
-                             {uniform_buffer, sampled_image, sampled_image, storage_image}, 0, std::span(&lookup_layout, 1));
 }
 
-void MapTechnique::ensure_layers(uint32_t layers) {
-  if (storage_ && storage_->map().desc().layers >= layers) return;
-  device_.handle().waitIdle();  // only when a light of another kind comes: earlier frames may still read the old map
-  storage_.emplace(device_, spec_.resolution, layers, options_.frames_in_flight,
+void MapTechnique::build_for(LightKind light) {
+  if (built_for_ && (*built_for_ == LightKind::point) == (light == LightKind::point)) return;
+  const bool six_faces = light == LightKind::point;
+  device_.handle().waitIdle();  // earlier frames may still read the old map
+  storage_.emplace(device_, spec_.resolution, six_faces ? 6 : 1, options_.frames_in_flight,
                    casters_shader(spec_.parameterization + "/" + spec_.storage), *lookup_layout_);
+  using enum gpu::BindingKind;
+  const vk::DescriptorSetLayout lookup_layout = *lookup_layout_;
+  lookup_ = gpu::ComputePass(device_, lookup_shader(spec_.parameterization + "/" + spec_.storage + "/" + spec_.filter),
+                             {uniform_buffer, sampled_image, sampled_image, storage_image}, 0, std::span(&lookup_layout, 1), six_faces);
+  built_for_ = light;
   for (uint32_t i = 0; i < options_.frames_in_flight; ++i) {
     const vk::DescriptorBufferInfo views(views_[i].handle(), 0, VK_WHOLE_SIZE), lookup(lookups_[i].handle(), 0, VK_WHOLE_SIZE);
     const vk::DescriptorImageInfo map(*sampler_, storage_->map().view(), vk::ImageLayout::eShaderReadOnlyOptimal);
@@ -81,7 +83,7 @@ void MapTechnique::ensure_layers(uint32_t layers) {
 
 void MapTechnique::prepare(const Frame& frame, gpu::Recorder& recorder) {
   parameterization_->prepare(frame, recorder);
-  ensure_layers(static_cast<uint32_t>(parameterization_->views().size()));
+  build_for(frame.light.kind);
   recorder.cpu_stage("shadow constants", [&] {
     write_constants(frame);
     storage_->prepare(frame, slot(frame), parameterization_->views());
@@ -152,7 +154,7 @@ std::optional<OracleRays> MapTechnique::oracle_rays(const Frame& frame) {
   const vk::DescriptorSetLayout lookup_layout = *lookup_layout_;
   const gpu::ComputePass pass(device_, oracle_shader(spec_.parameterization),
                               {uniform_buffer, sampled_image, sampled_image, storage_buffer, storage_buffer, storage_buffer}, 0,
-                              std::span(&lookup_layout, 1));
+                              std::span(&lookup_layout, 1), frame.light.kind == LightKind::point);
   const size_t pixels = size_t{options_.width} * options_.height;
   const uint64_t bytes = pixels * sizeof(glm::vec3);
   const gpu::Buffer origins(device_, "oracle origins", bytes), texel_u(device_, "oracle texels", bytes),

@@ -30,8 +30,8 @@ class MapTechnique final : public Technique {
 
  private:
   uint32_t slot(const Frame& frame) const { return static_cast<uint32_t>(frame.index % options_.frames_in_flight); }
-  /// Makes the map when a frame first needs this many layers: a point light has six, others one.
-  void ensure_layers(uint32_t layers);
+  /// Makes map and look-up when the first frame, or a light of another kind, needs them: a point light has six faces.
+  void build_for(LightKind light);
   void write_constants(const Frame& frame);
   std::vector<gpu::Binding> receiver_bindings(const Frame& frame) const;
 
@@ -45,6 +45,7 @@ class MapTechnique final : public Technique {
   vk::raii::DescriptorPool pool_{nullptr};
   std::vector<vk::raii::DescriptorSet> lookup_sets_;
   std::optional<DepthStorage> storage_;
+  std::optional<LightKind> built_for_;
   gpu::ComputePass lookup_;
 };
 

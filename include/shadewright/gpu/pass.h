@@ -40,12 +40,13 @@ vk::raii::DescriptorSetLayout make_set_layout(const Device& device, std::span<co
 /// Clamped sampler; outside the image a depth map reads 1, which is lit.
 vk::raii::Sampler make_sampler(const Device& device, vk::Filter filter);
 
-/// One compute shader whose set 0 is pushed at each dispatch. `sets` are further layouts (set 1, ...) that the caller binds.
+/// One compute shader whose set 0 is pushed at each dispatch. `sets` are further layouts (set 1, ...) that the caller binds;
+/// `constant` is the shader's specialization constant 0, if it has one.
 class ComputePass {
  public:
   ComputePass() = default;
   ComputePass(const Device& device, std::span<const uint32_t> spirv, std::vector<BindingKind> kinds, uint32_t push_bytes = 0,
-              std::span<const vk::DescriptorSetLayout> sets = {});
+              std::span<const vk::DescriptorSetLayout> sets = {}, vk::Bool32 constant = VK_FALSE);
 
   /// Binds, pushes and dispatches `groups` work groups. `push` must have the size given at construction.
   void dispatch(const vk::raii::CommandBuffer& commands, std::span<const Binding> bindings, std::span<const std::byte> push,
@@ -63,13 +64,15 @@ struct GraphicsDesc {
   std::vector<BindingKind> kinds;              ///< of the pushed set 0, for both stages
   std::vector<vk::DescriptorSetLayout> sets;   ///< further sets
   uint32_t push_bytes = 0;
+  std::vector<vk::VertexInputBindingDescription> vertex_bindings;
+  std::vector<vk::VertexInputAttributeDescription> vertex_attributes;
   std::vector<vk::Format> colors;
   vk::Format depth = vk::Format::eD32Sfloat;
   vk::CompareOp depth_compare = vk::CompareOp::eLess;
   bool depth_clamp = false;
 };
 
-/// Triangles from a float3 vertex buffer (location 0), two-sided, with a dynamic viewport.
+/// Triangles, two-sided, with a dynamic viewport.
 class GraphicsPass {
  public:
   GraphicsPass() = default;

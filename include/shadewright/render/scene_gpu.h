@@ -67,8 +67,8 @@ class CulledDraws {
   /// Draws what survived in `view`; the graphics pass with its bindings is bound by the caller.
   void draw(const vk::raii::CommandBuffer& commands, uint32_t view) const;
 
-  const gpu::Buffer& visible() const { return visible_; }  ///< instance indices, read at gl_InstanceIndex
-  const gpu::Buffer& commands() const { return draws_; }   ///< shared::DrawCommand, read at view * cluster_count + gl_DrawID
+  /// Vertex inputs of a graphics pass that draws these (render/scene_vertex.glsl).
+  static void set_vertex_input(gpu::GraphicsDesc& desc);
   std::vector<gpu::Allocation> allocations() const;
 
  private:

@@ -13,7 +13,7 @@ uint uniform_face(vec3 direction) {
 }
 
 MapPoint map_point(vec3 world, vec4 plane) {
-  uint layer = lookup.light_kind == light_point ? uniform_face(world - lookup.light_position) : 0;
+  uint layer = six_faces ? uniform_face(world - lookup.light_position) : 0;
   return map_project(map_views[layer], layer, world, plane, 1.0 / lookup.map_size);
 }
 
@@ -28,7 +28,7 @@ bool map_fetch(MapPoint p, ivec2 offset, out ivec3 address) {
   return all(greaterThanEqual(address.xy, ivec2(0))) && all(lessThan(address.xy, ivec2(lookup.map_size)));
 }
 
-vec3 map_unproject(MapPoint p, vec2 uv, float depth) { return map_unproject_view(map_views[p.layer], uv, depth); }
+vec3 map_unproject(MapPoint p, vec2 uv, float depth) { return map_unproject_view(map_views[six_faces ? p.layer : 0], uv, depth); }
 
 Ray map_ray(MapPoint p, vec2 uv) {
   vec3 near = map_unproject(p, uv, 0.0);

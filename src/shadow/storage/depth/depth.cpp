@@ -12,7 +12,7 @@ DepthStorage::DepthStorage(const gpu::Device& device, uint32_t resolution, uint3
                              Usage::eDepthStencilAttachment | Usage::eSampled | Usage::eTransferSrc, true});
   gpu::GraphicsDesc desc;
   desc.vertex = vertex;
-  desc.kinds = {gpu::BindingKind::storage_buffer, gpu::BindingKind::storage_buffer};
+  render::CulledDraws::set_vertex_input(desc);
   desc.sets = {lookup_layout};
   desc.push_bytes = sizeof(uint32_t);
   desc.depth_clamp = true;
@@ -54,9 +54,7 @@ void DepthStorage::draw_view(const vk::raii::CommandBuffer& commands, const Fram
                                        static_cast<float>(area.extent.width), static_cast<float>(area.extent.height), 0, 1));
   commands.setScissor(0, area);
   if (frame.scene) {
-    using gpu::Binding;
-    const Binding bindings[] = {Binding::storage(frame.scene->instances()), Binding::storage(draws_->visible())};
-    pass_.bind(commands, bindings, gpu::bytes_of(index), std::span(&lookup_set, 1));
+    pass_.bind(commands, {}, gpu::bytes_of(index), std::span(&lookup_set, 1));
     draws_->draw(commands, index);
   }
   if (frame.draw_casters) frame.draw_casters({commands, index, view, lookup_set});
