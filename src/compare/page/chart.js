@@ -13,7 +13,8 @@ function axisScale(values, from, to, logarithmic) {
     return {at: (v) => from + (to - from) * v / most, ticks};
   }
   const [low, high] = [Math.min(...values) / 1.6, Math.max(...values) * 1.6];
-  const steps = Math.log10(high / low) > 2.5 ? [1] : Math.log10(high / low) > 1.2 ? [1, 3] : [1, 2, 5];
+  const decades = Math.log10(high / low);
+  const steps = decades > 2.5 ? [1] : decades > 1.2 ? [1, 3] : decades > 0.8 ? [1, 2, 5] : [1, 1.5, 2, 3, 4, 5, 6, 8];
   const ticks = [];
   for (let power = Math.floor(Math.log10(low)); power <= Math.log10(high); ++power) {
     for (const step of steps) {
@@ -57,7 +58,7 @@ class ScatterChart {
   constructor(results, onShow) {
     this.#results = contestants(results).filter((result) => result.milliseconds.median > 0);
     this.#onShow = onShow;
-    if (this.#results.length === 0) return;
+    if (this.#results.length < 2) return;
     byId('chart-section').hidden = false;
     new ResizeObserver(() => this.#draw()).observe(this.#box);
   }

@@ -14,8 +14,12 @@
     byId('viewer-section').hidden = false;
     viewer = new Viewer(report, pictures);
   }
-  if (report.results.length > 0) new ResultTable(report.results, viewable, (index) => viewer.show(index));
-  else byId('table-lead').textContent = 'No technique was run.';
+  if (report.results.length > 0) {
+    new ResultTable(report.results, viewable, (index) => viewer.show(index));
+  } else {
+    byId('table-lead').textContent = 'No technique was run.';
+    byId('table-scroll').hidden = true;
+  }
   new ScatterChart(report.results, (result) => {
     const index = report.results.indexOf(result);
     if (viewable(index)) viewer.show(index);

@@ -48,7 +48,9 @@ class Pictures {
     const picture = await this.get(side, 'mask');
     if (picture === null) return null;
     const {data} = this.#read(picture.base);
-    return Uint8Array.from({length: data.length / 4}, (_, i) => data[4 * i]);
+    const visibility = new Uint8Array(data.length / 4);
+    for (let i = 0; i < visibility.length; ++i) visibility[i] = data[4 * i];
+    return visibility;
   }
 
   /** Where the technique is wrong: an index into `errorKinds` a pixel. Null without a difference picture. */

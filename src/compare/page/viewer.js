@@ -48,7 +48,7 @@ class Viewer {
       byId(id).append(...sides.map((side) => element('option', {value: side}, this.#name(side))));
     }
     this.#sides.left = sides.find((side) => side !== 'truth') ?? sides[0];
-    this.#sides.right = sides[0];
+    this.#sides.right = sides.find((side) => side !== this.#sides.left) ?? sides[0];
     byId('stage').style.setProperty('--picture-ratio', this.#report.image.width / this.#report.image.height);
     for (const input of document.querySelectorAll('#modes input')) {
       input.disabled = !sides.some((side) => this.#pictures.has(side, input.value));
@@ -70,6 +70,8 @@ class Viewer {
       this.#pictures.get(this.#sides.right, this.#mode)]);
     if (request !== this.#request) return;
     this.#drawn = {left, right};
+    if (left === null) byId('left-tag').append(': no such picture');
+    if (right === null) byId('right-tag').append(': no such picture');
     this.#probe = null;
     byId('readout').textContent = Viewer.#invitation;
     byId('canvas').setAttribute('aria-label', `${this.#name(this.#sides.left)} left of the divider, `
