@@ -47,13 +47,18 @@ MapPoint map_project(MapViewData view, uint layer, vec3 world, vec4 plane, vec2 
   float c = abs(plane_map.z) < 1e-30 ? 1e-30 : plane_map.z;
   vec2 gradient = -plane_map.xy / c;
 
-  // A plane that is wrong by e metres is wrong by e / (w |c|) in depth; the map's own arithmetic adds some units in the last
-  // place of depth (below 1) and of uv (below 1, times the slope); the rasterizer snaps vertices to 1/256 texel.
-  vec3 a = abs(world);
-  float error_world = position_error_of_coordinates * (a.x + a.y + a.z) + position_error_of_distance * distance(world, lookup.eye);
+  // A plane that is wrong by e metres is wrong by e / (w |c|) in depth. The depth row itself cancels coordinates too, those of
+  // a light with a position included; where a perspective depth is steep that is little, where it is flat it is much. The
+  // rest of the arithmetic costs units in the last place of depth and of uv (below 1, times the slope), and the rasterizer
+  // snaps vertices to 1/256 texel.
+  vec3 a = abs(world) + (lookup.light_kind == light_directional ? vec3(0.0) : abs(lookup.light_position));
+  float error_coordinates = position_error_of_coordinates * (a.x + a.y + a.z);
+  float error_world = error_coordinates + position_error_of_distance * distance(world, lookup.eye);
+  vec3 depth_row = vec3(view.map_from_world[0].z, view.map_from_world[1].z, view.map_from_world[2].z);
   vec2 slope = abs(gradient);
   float ulp = 1.0 / 16777216.0;
-  float tolerance = error_world / abs(q.w * c) + ulp * (4.0 + 4.0 * (slope.x + slope.y)) + dot(slope, texel) / 256.0;
+  float tolerance = error_world / abs(q.w * c) + error_coordinates * length(depth_row) / abs(q.w) +
+                    ulp * (4.0 + 4.0 * (slope.x + slope.y)) + dot(slope, texel) / 256.0;
 
   bool inside = q.w > 0.0 && all(greaterThanEqual(map.xy, vec2(0.0))) && all(lessThan(map.xy, vec2(1.0)));
   return MapPoint(map.xy, map.z, layer, gradient, texel, tolerance, inside && view.drawn != 0);

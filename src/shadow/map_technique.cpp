@@ -149,7 +149,6 @@ std::vector<std::string> MapTechnique::lookup_includes() const {
 }
 
 std::optional<OracleRays> MapTechnique::oracle_rays(const Frame& frame) {
-  if (spec_.filter != "hard") return std::nullopt;
   using enum gpu::BindingKind;
   const vk::DescriptorSetLayout lookup_layout = *lookup_layout_;
   const gpu::ComputePass pass(device_, oracle_shader(spec_.parameterization),
@@ -171,7 +170,8 @@ std::optional<OracleRays> MapTechnique::oracle_rays(const Frame& frame) {
     std::memcpy(values.data(), data.data(), bytes);
     return values;
   };
-  return OracleRays{read(origins), read(texel_u), read(texel_v)};
+  const bool one_texel_answers = spec_.filter == "hard";
+  return OracleRays{one_texel_answers ? read(origins) : std::vector<glm::vec3>{}, read(texel_u), read(texel_v)};
 }
 
 render::Picture MapTechnique::debug_picture(std::string_view name) {

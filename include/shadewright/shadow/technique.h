@@ -63,8 +63,8 @@ struct TechniqueOptions {
 /// Named results of a frame: one number or several ("effective_resolution": 2048, 2048).
 using Counters = std::map<std::string, std::vector<double>>;
 
-/// For the oracle: per pixel, row by row, the point from which the light must be seen (x infinite: lit without asking), and a
-/// texel's half extents on the receiver. World space.
+/// For the oracle: per pixel, row by row, the point from which the light must be seen (x infinite: lit without asking; no points
+/// for filters that ask more than one texel), and a texel's half extents on the receiver. World space.
 struct OracleRays {
   std::vector<glm::vec3> origins, texel_u, texel_v;
 };
@@ -97,7 +97,7 @@ class Technique {
   /// Paths below the installed GLSL folder to include, in this order, for map_caster (first) and filter_visible (all).
   virtual std::vector<std::string> lookup_includes() const { return {}; }
 
-  /// Reads the oracle's rays of the last recorded frame back and waits; none for techniques without an oracle.
+  /// Reads the oracle's rays of the last recorded frame back and waits; none for techniques without texels.
   virtual std::optional<OracleRays> oracle_rays(const Frame&) { return std::nullopt; }
 
   /// Pictures that show how the technique works, by name, of the last recorded frame. InputError for an unknown name.

@@ -154,7 +154,7 @@ struct Study::Impl {
     input.reference_filtered = filtered;
     std::vector<uint8_t> perfect;
     if (oracle) {
-      perfect = oracle_visibility(*oracle);
+      if (!oracle->origins.empty()) perfect = oracle_visibility(*oracle);
       input.oracle = perfect;
       input.texel_u = oracle->texel_u;
       input.texel_v = oracle->texel_v;

@@ -18,7 +18,7 @@ glm::dvec3 view_coordinates(const LightFrame& light, const glm::dvec3& world) {
   return glm::dvec3(light.view_from_world * glm::dvec4(world, 1.0));
 }
 
-/// What a light at the eye of its frame can see of a convex set: its part in front of a plane a hair before the eye.
+/// Corners of the part of `box` inside all `planes`.
 void append_clipped(std::vector<glm::dvec3>& points, const Box& box, std::span<const Plane> planes) {
   const bool inside = std::all_of(planes.begin(), planes.end(), [&](const Plane& plane) {
     const glm::dvec3 half = 0.5 * box.size();
@@ -55,6 +55,14 @@ std::vector<LightFrame> light_frames(const Light& light) {
   return faces;
 }
 
+std::vector<Plane> window_planes(const LightFrame& light) {
+  if (!light.perspective) return {};
+  const glm::dvec2 wide(light.max_tangent);
+  std::vector<Plane> planes = frustum_planes(perspective_window(-wide, wide, 1, 2) * light.view_from_world);
+  planes.resize(4);  // the sides alone
+  return planes;
+}
+
 std::vector<glm::dvec3> receiver_points(const Frame& frame, std::span<const Plane> planes) {
   std::vector<glm::dvec3> points;
   if (frame.scene)
@@ -69,24 +77,14 @@ Box receiver_bounds(const LightFrame& light, std::span<const glm::dvec3> points)
     for (const glm::dvec3& point : points) bounds.extend(view_coordinates(light, point));
     return bounds;
   }
-  // A hull that reaches behind the light has no finite window: then the widest one it is.
+  // Cut by the window's planes, which meet in the light, all points are in front of it, but for the light itself.
   double farthest = 0;
-  bool behind = false;
-  Box window;
+  for (const glm::dvec3& point : points) farthest = std::max(farthest, -view_coordinates(light, point).z);
   for (const glm::dvec3& point : points) {
     const glm::dvec3 p = view_coordinates(light, point);
-    const double distance = -p.z;
-    farthest = std::max(farthest, distance);
-    if (distance <= 0) {
-      behind = true;
-      continue;
-    }
-    window.extend({p.x / distance, p.y / distance, p.z});
+    const double distance = std::max(-p.z, near_share * farthest);
+    bounds.extend({p.x / distance, p.y / distance, -distance});
   }
-  if (farthest <= 0) return {};
-  const double wide = light.max_tangent;
-  if (behind) window = {{-wide, -wide, -farthest}, {wide, wide, 0}};
-  bounds = intersect(window, {{-wide, -wide, -farthest}, {wide, wide, -near_share * farthest}});
   return bounds;
 }
 

@@ -19,11 +19,14 @@ struct LightFrame {
 /// The light's frame before fitting: one, or six for a point light (+X -X +Y -Y +Z -Z).
 std::vector<LightFrame> light_frames(const Light& light);
 
+/// The half-spaces of the widest window of a perspective light, world space; none for a directional one.
+std::vector<Plane> window_planes(const LightFrame& light);
+
 /// World points whose convex hull holds all receivers: per instance, its bounds cut by `planes` (none = uncut).
 std::vector<glm::dvec3> receiver_points(const Frame& frame, std::span<const Plane> planes);
 
 /// Bounds of receivers as the light sees them. Directional: view coordinates. Perspective: x/-z, y/-z, and z as it is.
-/// Points that a perspective light can't see (behind it) do not count. Empty if nothing is left.
+/// `points` of a perspective light are cut by its window planes. Empty for no points.
 Box receiver_bounds(const LightFrame& light, std::span<const glm::dvec3> points);
 
 /// Turns a directional light's frame about its axis so that the receivers' bounding rectangle is smallest (of 32 angles).

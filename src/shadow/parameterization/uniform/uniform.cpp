@@ -38,10 +38,12 @@ void Uniform::prepare(const Frame& frame, gpu::Recorder& recorder) {
   std::vector<LightFrame> lights;
   std::vector<Box> receivers;
   recorder.cpu_stage("fit", [&] {
-    const std::vector<Plane> planes = fit_ == "scene" ? std::vector<Plane>{} : frame.camera.planes();
-    const std::vector<glm::dvec3> points = receiver_points(frame, planes);
     for (const LightFrame& light : light_frames(frame.light)) {
-      lights.push_back(frame.light.kind == LightKind::directional ? turn_to_fit(light, points) : light);
+      std::vector<Plane> planes = window_planes(light);
+      const std::vector<Plane> camera = fit_ == "scene" ? std::vector<Plane>{} : frame.camera.planes();
+      planes.insert(planes.end(), camera.begin(), camera.end());
+      const std::vector<glm::dvec3> points = receiver_points(frame, planes);
+      lights.push_back(light.perspective ? light : turn_to_fit(light, points));
       receivers.push_back(receiver_bounds(lights.back(), points));
     }
   });
