@@ -186,5 +186,37 @@ TEST(RealPathOptions, TheBytesDoNotDependOnTheThreads) {
   }
 }
 
+TEST(RealPathOptions, BatchUnderASpotIsTheFilterAtTheMovedReceiver) {
+  const uint32_t seed = std::random_device{}();
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
+  Light light;
+  light.kind = LightKind::spot;
+  light.position = {2, 7, 1};
+  light.direction = glm::normalize(glm::dvec3(-0.2, -1, 0.1));
+  BakeOptions options;
+  options.resolution = 2048;
+  options.max_filter = 17;
+  const VoxelShadow shadow = bake(random_bodies(random, 30), light, options).shadow;
+  std::uniform_real_distribution<float> any(-1, 1);
+  std::vector<SurfacePoint> points(20000);
+  for (SurfacePoint& point : points) {
+    point.position = glm::vec3(6, 1.5f, 6) * glm::vec3(any(random), any(random), any(random));
+    if (random() % 8) point.normal = glm::normalize(glm::vec3(any(random), any(random), any(random)));
+  }
+  points[5].position = {2, 9, 1};  // behind the light
+  std::vector<float> result(points.size());
+  for (const uint32_t taps : {1u, 9u, 17u}) {
+    shadow.visibility(points, taps, result);
+    for (size_t i = 0; i < points.size(); ++i) {
+      const glm::dvec3 world(points[i].position);
+      const glm::dvec3 at = shadow.light().receiver_voxel(world, glm::dvec3(points[i].normal), taps);
+      if (glm::any(glm::lessThan(glm::abs(at - glm::round(at)), glm::dvec3(1e-6)))) continue;
+      const bool behind = (shadow.light().voxel_from_world * glm::dvec4(world, 1.0)).w <= 0;
+      ASSERT_FLOAT_EQ(result[i], behind ? 1.0f : shadow.filtered(glm::ivec3(glm::floor(at)), taps)) << i << ' ' << taps;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace shadewright::voxel
