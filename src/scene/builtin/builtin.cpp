@@ -15,8 +15,9 @@ namespace {
 
 std::vector<BuiltinScene> all_scenes() {
   std::vector<BuiltinScene> scenes = {
-      builtin::chess(),     builtin::city(),    builtin::furball(),
-      builtin::landscape(), builtin::sandbox(), builtin::spheres(),
+      builtin::characters(), builtin::chess(),      builtin::city(),  builtin::ecosystem(), builtin::furball(),
+      builtin::landscape(),  builtin::lattice(),    builtin::ruins(), builtin::sandbox(),   builtin::spheres(),
+      builtin::street(),     builtin::playground(), builtin::town(),  builtin::trees(),
   };
   std::sort(scenes.begin(), scenes.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
   return scenes;

@@ -23,13 +23,23 @@ void PrintTo(const Expected& expected, std::ostream* out) {
 }
 
 const Expected expectations[] = {
+    {"characters", 61000, true},
+    {"characters?skeletons=1", 80000, true},
     {"chess", 30000, true},
     {"city", 58000, true},
     {"city?triangles=613000", 613000, true},
+    {"ecosystem", 22000000, false},
     {"furball", 298500, true},  // 4,000 hairs of 12 x 6 + 2 triangles, ball, plinth, wall
     {"landscape?triangles=200000", 200000, true},
+    {"lattice", 155000, true},
+    {"playground", 712000, true},
+    {"ruins?triangles=373000", 373000, false},
     {"sandbox", 28000, true},
     {"spheres", 12000, true},
+    {"street", 100000, true},
+    {"street?crowd=1", 327000, true},
+    {"town", 528000, true},
+    {"trees", 48000, false},
 };
 
 bool same_bytes(const Scene& a, const Scene& b) {

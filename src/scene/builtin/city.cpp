@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene/builtin/budget.h"
 #include "scene/builtin/house.h"
 #include "scene/builtin/scenes.h"
 #include "scene/builtin/shapes/box.h"
@@ -64,26 +65,6 @@ Kit make_kit(Scene& scene, int detail, Random& random) {
   return kit;
 }
 
-/// Places things until the triangles are spent.
-class Builder {
- public:
-  Builder(Scene& scene, size_t budget) : scene_(scene), budget_(budget) {}
-
-  /// False, and nothing placed, when `prop` no longer fits.
-  bool add(const Prop& prop, const glm::dmat4& where, const std::optional<glm::vec3>& dye = std::nullopt) {
-    const size_t count = shadewright::builtin::triangle_count(scene_, prop);
-    if (spent_ + count > budget_) return false;
-    spent_ += count;
-    place(scene_, prop, where, dye);
-    return true;
-  }
-  bool nearly_spent() const { return spent_ + budget_ / 50 > budget_; }
-
- private:
-  Scene& scene_;
-  size_t budget_, spent_ = 0;
-};
-
 constexpr std::array<uint32_t, 9> plasters = {0xD9C7A3, 0xC98F6B, 0xE3DCCB, 0xA9B5A0, 0xD8B98C,
                                               0xB7685A, 0xC9B7C0, 0x9FB0BD, 0xE0C98F};
 constexpr std::array<uint32_t, 7> paints = {0xB23B32, 0x2F5D8C, 0xE2E0DA, 0x3C4043, 0x6F8F5F, 0xD9A441, 0x8C8F94};
@@ -95,7 +76,7 @@ glm::vec3 pick(const std::array<uint32_t, N>& palette, Random& random) {
 }
 
 /// A row of houses along x, centred, fronts facing +Z at z = 0.
-void add_row(Builder& builder, const Kit& kit, const glm::dmat4& row, double length, Random& random) {
+void add_row(Budget& budget, const Kit& kit, const glm::dmat4& row, double length, Random& random) {
   double x = -0.5 * length;
   while (x < 0.5 * length - 7.5) {
     const size_t k = random.index(static_cast<uint32_t>(kit.houses.size()));
@@ -105,67 +86,67 @@ void add_row(Builder& builder, const Kit& kit, const glm::dmat4& row, double len
     }
     // Neighbours differ in how far they stand back, so that no two walls share a plane.
     const double back = random.range(0.0, 0.5);
-    builder.add(kit.houses[k], row * moved({x + 0.5 * kit.widths[k], 0, -5.4 - back}), pick(plasters, random));
+    budget.add(kit.houses[k], row * moved({x + 0.5 * kit.widths[k], 0, -5.4 - back}), pick(plasters, random));
     x += kit.widths[k] + (random.chance(0.25) ? random.range(2.0, 3.5) : 0.12);
   }
 }
 
-void add_green(Builder& builder, const Kit& kit, const glm::dmat4& where, Random& random) {
+void add_green(Budget& budget, const Kit& kit, const glm::dmat4& where, Random& random) {
   const Prop& tree = kit.trees[random.index(static_cast<uint32_t>(kit.trees.size()))];
-  builder.add(tree, where * turned_y(random.angle()) * scaled(glm::dvec3(random.range(0.75, 1.1))),
-              pick(greens, random));
+  budget.add(tree, where * turned_y(random.angle()) * scaled(glm::dvec3(random.range(0.75, 1.1))),
+             pick(greens, random));
 }
 
 /// The pavement's lamps, trees, bins and bollards, and the cars along the kerb, on the block's side towards +Z.
-void add_kerb(Builder& builder, const Kit& kit, const glm::dmat4& edge, double length, Random& random) {
+void add_kerb(Budget& budget, const Kit& kit, const glm::dmat4& edge, double length, Random& random) {
   const int lamps = static_cast<int>(length / 20);
   for (int k = 0; k < lamps; ++k)
-    builder.add(kit.lamp, edge * moved({length * ((k + 0.5) / lamps - 0.5), pavement, -0.5}) * turned_y(-pi / 2));
+    budget.add(kit.lamp, edge * moved({length * ((k + 0.5) / lamps - 0.5), pavement, -0.5}) * turned_y(-pi / 2));
   for (int k = 0; k < lamps - 1; ++k)
-    add_green(builder, kit,
+    add_green(budget, kit,
               edge * moved({length * ((k + 1.0) / lamps - 0.5), pavement, -0.9}) * scaled(glm::dvec3(0.72)), random);
   for (const double side : {-1.0, 1.0})
     for (int k = 0; k < 2; ++k)
-      builder.add(kit.bollard, edge * moved({side * (0.5 * length - 1.0 - 1.5 * k), pavement, -0.35}));
-  builder.add(kit.bin, edge * moved({0.5 * length - 6, pavement, -0.6}));
+      budget.add(kit.bollard, edge * moved({side * (0.5 * length - 1.0 - 1.5 * k), pavement, -0.35}));
+  budget.add(kit.bin, edge * moved({0.5 * length - 6, pavement, -0.6}));
   for (double x = -0.5 * length + 5; x < 0.5 * length - 5; x += kit.car_spacing * random.range(1, 2))
-    builder.add(kit.cars[random.index(static_cast<uint32_t>(kit.cars.size()))],
-                edge * moved({x, 0, 1.25}) * turned_y(random.chance(0.8) ? 0 : pi), pick(paints, random));
+    budget.add(kit.cars[random.index(static_cast<uint32_t>(kit.cars.size()))],
+               edge * moved({x, 0, 1.25}) * turned_y(random.chance(0.8) ? 0 : pi), pick(paints, random));
 }
 
-void add_park(Builder& builder, const Kit& kit, const glm::dmat4& lawn, Random& random) {
-  builder.add(kit.fountain, lawn);
+void add_park(Budget& budget, const Kit& kit, const glm::dmat4& lawn, Random& random) {
+  budget.add(kit.fountain, lawn);
   for (int k = 0; k < 8; ++k) {
     const double a = 2 * pi * k / 8;
-    builder.add(kit.bench, lawn * turned_y(a) * moved({0, 0, -5}));
+    budget.add(kit.bench, lawn * turned_y(a) * moved({0, 0, -5}));
   }
   for (int k = 0; k < 26; ++k) {
     const double x = random.range(-0.42, 0.42) * kit.block_x, z = random.range(-0.4, 0.4) * kit.block_z;
-    if (x * x + z * z > 60) add_green(builder, kit, lawn * moved({x, 0, z}), random);
+    if (x * x + z * z > 60) add_green(budget, kit, lawn * moved({x, 0, z}), random);
   }
 }
 
-void add_block(Builder& builder, const Kit& kit, const Prop& pavement_slab, const Prop& lawn, const glm::dvec3& center,
+void add_block(Budget& budget, const Kit& kit, const Prop& pavement_slab, const Prop& lawn, const glm::dvec3& center,
                bool park, Random& random) {
   const glm::dmat4 at = moved(center);
-  if (!builder.add(pavement_slab, at)) return;
-  builder.add(lawn, at, park ? color(0x88A85F) : color(0x94A873));
+  if (!budget.add(pavement_slab, at)) return;
+  budget.add(lawn, at, park ? color(0x88A85F) : color(0x94A873));
   const std::array<glm::dmat4, 4> edges = {at * moved({0, 0, 0.5 * kit.block_z}),
                                            at * turned_y(pi) * moved({0, 0, 0.5 * kit.block_z}),
                                            at * turned_y(pi / 2) * moved({0, 0, 0.5 * kit.block_x}),
                                            at * turned_y(-pi / 2) * moved({0, 0, 0.5 * kit.block_x})};
   const glm::dmat4 on_lawn = at * moved({0, pavement + 0.05, 0});
   if (park) {
-    add_park(builder, kit, on_lawn, random);
+    add_park(budget, kit, on_lawn, random);
   } else {
     for (size_t k = 0; k < 4; ++k) {
       const double length = k < 2 ? kit.block_x - 2 * pavement_width : kit.block_z - 2 * pavement_width - 23;
-      add_row(builder, kit, edges[k] * moved({0, pavement, -pavement_width}), length, random);
+      add_row(budget, kit, edges[k] * moved({0, pavement, -pavement_width}), length, random);
     }
     for (int k = 0; k < 5; ++k)
-      add_green(builder, kit, on_lawn * moved({random.range(-15, 15), 0, random.range(-5, 5)}), random);
+      add_green(budget, kit, on_lawn * moved({random.range(-15, 15), 0, random.range(-5, 5)}), random);
   }
-  for (size_t k = 0; k < 4; ++k) add_kerb(builder, kit, edges[k], k < 2 ? kit.block_x : kit.block_z, random);
+  for (size_t k = 0; k < 4; ++k) add_kerb(budget, kit, edges[k], k < 2 ? kit.block_x : kit.block_z, random);
 }
 
 /// Centres of blocks, nearest to the crossing at the origin first.
@@ -204,22 +185,22 @@ Scene make_city(size_t triangles) {
   dash.name = "road marking";
   add_part(scene, dash, slab({-1.2, -0.05, -0.07}, {1.2, 0.015, 0.07}, 0.004), color(0xE8E6DF));
 
-  Builder builder(scene, triangles - 20);  // 20 for the ground
+  Budget budget(scene, triangles - 20);  // 20 for the ground
   double reach_x = 0, reach_z = 0;
   int count = 0;
   for (const glm::ivec2& cell : blocks_outwards(kit, 14)) {
-    if (builder.nearly_spent()) break;
+    if (budget.nearly_spent()) break;
     const glm::dvec3 center((cell.x + 0.5) * (kit.block_x + street), 0, (cell.y + 0.5) * (kit.block_z + street));
     const bool park = count % 7 == 4;
-    add_block(builder, kit, slab_prop, lawn, center, park, random);
+    add_block(budget, kit, slab_prop, lawn, center, park, random);
     // Dashes along the two streets at the block's sides of +X and +Z.
     for (int k = 0; k < 10; ++k) {
-      builder.add(dash,
-                  moved({center.x + kit.block_x * ((k + 0.5) / 10 - 0.5), 0, center.z + 0.5 * (kit.block_z + street)}));
+      budget.add(dash,
+                 moved({center.x + kit.block_x * ((k + 0.5) / 10 - 0.5), 0, center.z + 0.5 * (kit.block_z + street)}));
       if (k < 8)
-        builder.add(
-            dash, moved({center.x + 0.5 * (kit.block_x + street), 0, center.z + kit.block_z * ((k + 0.5) / 8 - 0.5)}) *
-                      turned_y(pi / 2));
+        budget.add(dash,
+                   moved({center.x + 0.5 * (kit.block_x + street), 0, center.z + kit.block_z * ((k + 0.5) / 8 - 0.5)}) *
+                       turned_y(pi / 2));
     }
     reach_x = std::max(reach_x, std::abs(center.x) + 0.5 * kit.block_x + 1.5 * street);
     reach_z = std::max(reach_z, std::abs(center.z) + 0.5 * kit.block_z + 1.5 * street);

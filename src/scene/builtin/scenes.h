@@ -5,11 +5,19 @@
 
 namespace shadewright::builtin {
 
+BuiltinScene characters();
 BuiltinScene chess();
 BuiltinScene city();
+BuiltinScene ecosystem();
 BuiltinScene furball();
 BuiltinScene landscape();
+BuiltinScene lattice();
+BuiltinScene playground();
+BuiltinScene ruins();
 BuiltinScene sandbox();
 BuiltinScene spheres();
+BuiltinScene street();
+BuiltinScene town();
+BuiltinScene trees();
 
 }  // namespace shadewright::builtin

@@ -37,6 +37,15 @@ Mesh leaf(const glm::dvec3& base, const glm::dvec3& direction, const glm::dvec3&
   return mesh;
 }
 
+Mesh leaf_sheet(const glm::dvec3& base, const glm::dvec3& direction, const glm::dvec3& side, double length,
+                double width) {
+  Mesh mesh = leaf(base, direction, side, length, width);
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  // Bent along the rib instead of across, or both triangles would lie in one plane.
+  mesh.positions[2] += 0.1f * (mesh.positions[2] - mesh.positions[0]);
+  return mesh;
+}
+
 Mesh lump(const glm::dvec3& center, const glm::dvec3& radii, uint32_t segments, uint32_t rings, double roughness,
           Random& random) {
   Mesh mesh = sphere(1.0, segments, rings);
@@ -50,7 +59,8 @@ Mesh lump(const glm::dvec3& center, const glm::dvec3& radii, uint32_t segments, 
 Prop broadleaf_tree(Scene& scene, const TreeShape& shape, Random& random) {
   Prop tree;
   tree.name = "tree";
-  const bool fine = shape.crown == Crown::leaves;
+  const bool fine = shape.crown != Crown::lumps;
+  const auto make_leaf = shape.crown == Crown::sheets ? leaf_sheet : leaf;
   const double fork = shape.height * random.range(0.3, 0.38), girth = 0.03 * shape.height;
   const glm::dvec3 top(random.range(-0.1, 0.1) * shape.height, shape.height * 0.78,
                        random.range(-0.1, 0.1) * shape.height);
@@ -86,8 +96,8 @@ Prop broadleaf_tree(Scene& scene, const TreeShape& shape, Random& random) {
       // Leaves crowd towards the outside of the clump round their branch.
       const glm::dvec3 out = random_direction(random);
       const glm::dvec3 base = at + out * shape.spread * (0.12 + 0.36 * std::sqrt(random.unit()));
-      append(crown, leaf(base, out + glm::dvec3(0, -0.6, 0), random_direction(random) + 0.01,
-                         shape.leaf_size * random.range(0.8, 1.25), shape.leaf_size * 0.62));
+      append(crown, make_leaf(base, out + glm::dvec3(0, -0.6, 0), random_direction(random) + 0.01,
+                              shape.leaf_size * random.range(0.8, 1.25), shape.leaf_size * 0.62));
     }
   }
   add_part(scene, tree, std::move(crown), color(0x6F9A45), true);
@@ -97,7 +107,8 @@ Prop broadleaf_tree(Scene& scene, const TreeShape& shape, Random& random) {
 Prop conifer(Scene& scene, const TreeShape& shape, Random& random) {
   Prop tree;
   tree.name = "fir";
-  const bool fine = shape.crown == Crown::leaves;
+  const bool fine = shape.crown != Crown::lumps;
+  const auto make_leaf = shape.crown == Crown::sheets ? leaf_sheet : leaf;
   const double girth = 0.022 * shape.height;
   add_part(scene, tree,
            tapered_tube(std::array{glm::dvec3(0, -0.2, 0), glm::dvec3(0, shape.height * 0.5, 0),
@@ -125,9 +136,9 @@ Prop conifer(Scene& scene, const TreeShape& shape, Random& random) {
       for (int i = 0; i < 14; ++i) {
         const double s = (i / 2 + 1) / 7.0, flip = i % 2 ? 1.0 : -1.0;
         const glm::dvec3 at = glm::dvec3(0, y, 0) + out * reach * s + glm::dvec3(0, -0.35 * reach * s * s, 0);
-        append(crown, leaf(at - out * 0.2 * reach, 0.9 * out + 0.7 * flip * side + glm::dvec3(0, -0.3, 0),
-                           glm::dvec3(0.1, 1, 0.07) + 0.6 * side,
-                           1.5 * shape.leaf_size * (1.15 - 0.5 * s) + 0.15 * reach, shape.leaf_size * 0.5));
+        append(crown, make_leaf(at - out * 0.2 * reach, 0.9 * out + 0.7 * flip * side + glm::dvec3(0, -0.3, 0),
+                                glm::dvec3(0.1, 1, 0.07) + 0.6 * side,
+                                1.5 * shape.leaf_size * (1.15 - 0.5 * s) + 0.15 * reach, shape.leaf_size * 0.5));
       }
     }
   }

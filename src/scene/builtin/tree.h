@@ -6,10 +6,11 @@
 
 namespace shadewright::builtin {
 
-/// How a crown is made. All are closed.
+/// How a crown is made.
 enum class Crown {
-  lumps,  ///< a few bumpy balls: some 350 triangles a tree
-  leaves  ///< flat kites of four triangles, `leaf_count` of them
+  lumps,   ///< closed: a few bumpy balls, some 250 triangles a tree
+  leaves,  ///< closed: thin kites of four triangles, `leaf_count` of them
+  sheets   ///< not closed: bent quadrilaterals of two triangles, `leaf_count` of them
 };
 
 struct TreeShape {
@@ -27,6 +28,9 @@ Prop bush(Scene& scene, double radius, const glm::vec3& albedo, Random& random);
 
 /// A closed, thin kite from `base` along `direction`, `length` long, broadest across `side`: 4 triangles.
 Mesh leaf(const glm::dvec3& base, const glm::dvec3& direction, const glm::dvec3& side, double length, double width);
+/// Two triangles, bent along the middle: not closed.
+Mesh leaf_sheet(const glm::dvec3& base, const glm::dvec3& direction, const glm::dvec3& side, double length,
+                double width);
 /// A ball with dents, for crowns and boulders: deterministic in `random`.
 Mesh lump(const glm::dvec3& center, const glm::dvec3& radii, uint32_t segments, uint32_t rings, double roughness,
           Random& random);
