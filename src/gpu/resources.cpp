@@ -53,6 +53,8 @@ Image::Image(const Device& device, const ImageDesc& desc) : desc_(desc), aspect_
   bytes_ = needs.size;
   memory_ = allocate(device, desc.name, needs, vk::MemoryPropertyFlagBits::eDeviceLocal);
   image_.bindMemory(*memory_, 0);
+  using Usage = vk::ImageUsageFlagBits;
+  if (!(desc.usage & (Usage::eSampled | Usage::eStorage | Usage::eColorAttachment | Usage::eDepthStencilAttachment))) return;
   const bool array = desc.layers > 1 || desc.array_view;
   view_ = vk::raii::ImageView(device.handle(), {{}, *image_, array ? vk::ImageViewType::e2DArray : vk::ImageViewType::e2D,
                                                 desc.format, {}, {aspect_, 0, 1, 0, desc.layers}});

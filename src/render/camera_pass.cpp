@@ -94,7 +94,7 @@ CameraPass::CameraPass(const SceneGpu& scene, uint32_t width, uint32_t height, b
   desc.vertex = with_albedo ? std::span<const uint32_t>(shaders::camera_albedo_vert) : shaders::camera_vert;
   desc.fragment = with_albedo ? std::span<const uint32_t>(shaders::camera_albedo_frag) : shaders::camera_frag;
   desc.kinds = {storage_buffer, uniform_buffer};
-  CulledDraws::set_vertex_input(desc);
+  CulledDraws::set_vertex_input(desc, with_albedo ? SceneInputs::colored_surface : SceneInputs::surface);
   desc.colors = {vk::Format::eR16G16Snorm};
   if (with_albedo) desc.colors.push_back(vk::Format::eR8G8B8A8Unorm);
   desc.depth_compare = vk::CompareOp::eGreater;

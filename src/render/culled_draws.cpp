@@ -63,15 +63,16 @@ void CulledDraws::draw(const vk::raii::CommandBuffer& commands, uint32_t view) c
   commands.drawIndexedIndirect(draws_.handle(), first, scene_.cluster_count(), sizeof(shared::DrawCommand));
 }
 
-void CulledDraws::set_vertex_input(gpu::GraphicsDesc& desc) {
+void CulledDraws::set_vertex_input(gpu::GraphicsDesc& desc, SceneInputs inputs) {
   using Format = vk::Format;
   desc.vertex_bindings = {{0, sizeof(glm::vec3), vk::VertexInputRate::eVertex},
                           {1, sizeof(shared::VisibleInstance), vk::VertexInputRate::eInstance}};
   desc.vertex_attributes = {{0, 0, Format::eR32G32B32Sfloat, 0}};
   for (uint32_t row = 0; row < 3; ++row)
     desc.vertex_attributes.push_back({1 + row, 1, Format::eR32G32B32A32Sfloat, row * static_cast<uint32_t>(sizeof(glm::vec4))});
-  desc.vertex_attributes.push_back({4, 1, Format::eR8G8B8A8Unorm, offsetof(shared::VisibleInstance, albedo)});
-  desc.vertex_attributes.push_back({5, 1, Format::eR32Uint, offsetof(shared::VisibleInstance, first_triangle)});
+  desc.vertex_attributes.push_back({4, 1, Format::eR32Uint, offsetof(shared::VisibleInstance, first_triangle)});
+  desc.vertex_attributes.push_back({5, 1, Format::eR8G8B8A8Unorm, offsetof(shared::VisibleInstance, albedo)});
+  desc.vertex_attributes.resize(static_cast<size_t>(inputs));
 }
 
 std::vector<gpu::Allocation> CulledDraws::allocations() const {

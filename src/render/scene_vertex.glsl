@@ -3,8 +3,8 @@ layout(location = 0) in vec3 position_mesh;
 layout(location = 1) in vec4 world_from_mesh_row_x;
 layout(location = 2) in vec4 world_from_mesh_row_y;
 layout(location = 3) in vec4 world_from_mesh_row_z;
-layout(location = 4) in vec4 instance_albedo;
-layout(location = 5) in uint cluster_first_triangle;
+layout(location = 4) in uint cluster_first_triangle;
+layout(location = 5) in vec4 instance_albedo;
 
 vec3 scene_world_position() {
   vec4 p = vec4(position_mesh, 1.0);

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <optional>
+#include <set>
 #include <stdexcept>
 
 #include "shadewright/error.h"
@@ -120,7 +122,7 @@ std::string value_range(const SpecKey& key) {
   return fmt::format("{} from {} to {}", key.integer ? "a whole number" : "a number", key.min, key.max);
 }
 
-void parse_key(Spec& spec, std::string_view item) {
+void parse_key(Spec& spec, std::string_view item, std::set<std::string_view>& seen) {
   const std::string subject = fmt::format("spec '{}'", spec.text);
   const size_t equals = item.find('=');
   if (equals == std::string_view::npos || equals == 0)
@@ -133,7 +135,7 @@ void parse_key(Spec& spec, std::string_view item) {
   const std::string choose = own.empty() ? "it takes no keys" : fmt::format("its keys are {}", fmt::join(own, ", "));
   if (key == keys.end()) throw InputError(subject, fmt::format("there is no key '{}'", name), choose);
   if (!belongs(*key, spec)) throw InputError(subject, fmt::format("key '{}' belongs to '{}', which this spec does not use", name, key->owner), choose);
-  if (spec.values.contains(name)) throw InputError(subject, fmt::format("key '{}' is given twice", name), "give it once");
+  if (!seen.insert(name).second) throw InputError(subject, fmt::format("key '{}' is given twice", name), "give it once");
   bool good;
   if (!key->choices.empty()) {
     good = std::find(key->choices.begin(), key->choices.end(), value) != key->choices.end();
@@ -197,7 +199,8 @@ Spec parse_spec(std::string_view text) {
   check_part(spec.text, "storage", spec.storage);
   check_part(spec.text, "filter", spec.filter);
   spec.resolution = resolution ? parse_resolution(spec.text, *resolution) : default_resolution;
-  for (size_t i = 1; i < items.size(); ++i) parse_key(spec, items[i]);
+  std::set<std::string_view> seen;
+  for (size_t i = 1; i < items.size(); ++i) parse_key(spec, items[i], seen);
   return spec;
 }
 

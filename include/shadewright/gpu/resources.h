@@ -63,7 +63,7 @@ class Image {
   Image(const Device& device, const ImageDesc& desc);
 
   vk::Image handle() const { return *image_; }
-  /// All layers.
+  /// All layers. None for an image that is only copied from and to.
   vk::ImageView view() const { return *view_; }
   /// One layer, to render into.
   vk::ImageView layer_view(uint32_t layer) const { return *layer_views_[layer]; }

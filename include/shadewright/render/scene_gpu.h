@@ -52,6 +52,9 @@ class SceneGpu {
   gpu::Buffer positions_, indices_, normals_, instances_, clusters_;
 };
 
+/// How much of render/scene_vertex.glsl a vertex shader reads: the number of its locations.
+enum class SceneInputs : uint32_t { position = 4, surface = 5, colored_surface = 6 };
+
 /// The draws of one consumer (a camera, a light's views): culled on the device into indirect commands.
 class CulledDraws {
  public:
@@ -67,8 +70,8 @@ class CulledDraws {
   /// Draws what survived in `view`; the graphics pass with its bindings is bound by the caller.
   void draw(const vk::raii::CommandBuffer& commands, uint32_t view) const;
 
-  /// Vertex inputs of a graphics pass that draws these (render/scene_vertex.glsl).
-  static void set_vertex_input(gpu::GraphicsDesc& desc);
+  /// Gives a graphics pass that draws these the vertex inputs of render/scene_vertex.glsl, as many as its shader reads.
+  static void set_vertex_input(gpu::GraphicsDesc& desc, SceneInputs inputs);
   std::vector<gpu::Allocation> allocations() const;
 
  private:

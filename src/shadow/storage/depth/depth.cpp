@@ -12,7 +12,7 @@ DepthStorage::DepthStorage(const gpu::Device& device, uint32_t resolution, uint3
                              Usage::eDepthStencilAttachment | Usage::eSampled | Usage::eTransferSrc, true});
   gpu::GraphicsDesc desc;
   desc.vertex = vertex;
-  render::CulledDraws::set_vertex_input(desc);
+  render::CulledDraws::set_vertex_input(desc, render::SceneInputs::position);
   desc.sets = {lookup_layout};
   desc.push_bytes = sizeof(uint32_t);
   desc.depth_clamp = true;

@@ -1,0 +1,191 @@
+// Truth tests: what is drawn on the device against ray tracing, and what a Study reports.
+#include "shadewright/compare/study.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include "gpu/device_for_test.h"
+#include "shadewright/geometry/projection.h"
+#include "shadewright/scene/builtin.h"
+
+namespace shadewright::compare {
+namespace {
+
+class StudyTest : public gpu::DeviceTest {
+ protected:
+  static StudyOptions small() { return {640, 360, 0, 4, true}; }
+  static Outcome run(Study& study, const char* spec) { return study.run(shadow::parse_spec(spec)); }
+};
+
+/// Sharp maps: few wrong pixels, no acne, no detached contacts, and the texel that is asked holds what the oracle says.
+TEST_F(StudyTest, HardMapsAreRightUpToTheirResolution) {
+  for (const char* name : {"sandbox", "city", "chess", "spheres"}) {
+    const Scene scene = make_builtin(name);
+    Study study(device(), scene, scene.cameras.front(), scene.lights.front(), small());
+    double fraction = 1;
+    for (const char* spec : {"sm@1024", "sm@2048", "sm@4096"}) {
+      const ErrorFigures error = run(study, spec).result.error;
+      SCOPED_TRACE(std::string(name) + " " + spec);
+      ASSERT_GT(error.compared, 20'000u);
+      EXPECT_LT(error.fraction, fraction);
+      ASSERT_TRUE(error.oracle_fraction.has_value());
+      EXPECT_LE(*error.oracle_fraction, 5e-4);
+      EXPECT_LE(static_cast<double>(error.interior_false_shadow), 1e-4 * static_cast<double>(error.compared));
+      fraction = error.fraction;
+    }
+    const ErrorFigures finest = run(study, "sm@4096").result.error;
+    EXPECT_GE(finest.match, 0.99) << name;
+    EXPECT_LE(static_cast<double>(finest.interior_false_lit), 1e-4 * static_cast<double>(finest.compared)) << name;
+  }
+}
+
+TEST_F(StudyTest, PointLightsHaveSixFaces) {
+  Scene scene = make_builtin("sandbox");
+  Light lamp;
+  lamp.kind = LightKind::point;
+  lamp.position = scene.cameras.front().target + glm::dvec3(0.3, 1.1, 0.2);
+  Study study(device(), scene, scene.cameras.front(), lamp, small());
+  const Outcome outcome = run(study, "sm@2048");
+  EXPECT_GT(outcome.result.counters.at("views").front(), 1);
+  EXPECT_LE(*outcome.result.error.oracle_fraction, 5e-4);
+  EXPECT_GE(outcome.result.error.match, 0.98);
+  EXPECT_GE(run(study, "pcf@2048").result.error.match, 0.98);
+}
+
+TEST_F(StudyTest, EveryFitHoldsWhatIsSeen) {
+  const Scene scene = make_builtin("city");
+  Study study(device(), scene, scene.cameras.back(), scene.lights.front(), small());
+  const double scene_fit = run(study, "sm@1024,fit=scene").result.error.fraction;
+  const double view_fit = run(study, "sm@1024,fit=view").result.error.fraction;
+  const ErrorFigures visible = run(study, "sm@1024,fit=visible").result.error;
+  EXPECT_LE(view_fit, 1.05 * scene_fit);
+  EXPECT_LE(visible.fraction, 1.05 * view_fit);
+  EXPECT_LE(*visible.oracle_fraction, 5e-4);
+}
+
+TEST_F(StudyTest, FilteringLowersTheErrorAgainstTheFilteredTruth) {
+  const Scene scene = make_builtin("spheres");
+  Study study(device(), scene, scene.cameras.front(), scene.lights.front(), small());
+  const ErrorFigures hard = run(study, "sm@1024").result.error, soft = run(study, "pcf@1024").result.error;
+  EXPECT_LT(soft.mean_absolute, hard.mean_absolute);
+  EXPECT_FALSE(soft.oracle_fraction.has_value());
+}
+
+/// A constant width in metres means the same penumbra from maps of any resolution.
+TEST_F(StudyTest, WorldWidthDoesNotFollowTheResolution) {
+  const Scene scene = make_builtin("sandbox");
+  Study study(device(), scene, scene.cameras.front(), scene.lights.front(), small());
+  const auto difference = [&](const char* a, const char* b) {
+    const auto first = run(study, a).visibility, second = run(study, b).visibility;
+    double sum = 0;
+    for (size_t i = 0; i < first.size(); ++i) sum += std::abs(static_cast<double>(first[i]) - static_cast<double>(second[i]));
+    return sum / static_cast<double>(first.size());
+  };
+  EXPECT_LT(difference("pcf@2048,width=0.03", "pcf@4096,width=0.03"), 0.5 * difference("pcf@512,radius=4", "pcf@4096,radius=4"));
+}
+
+TEST_F(StudyTest, FarFromTheOriginAndTinyScenesStayRight) {
+  for (const double scale : {1e-3, 1e4}) {
+    Scene scene = make_builtin("spheres");
+    const glm::dmat4 scaling = glm::dmat4(glm::dmat3(scale));
+    for (Instance& instance : scene.instances) instance.world_from_mesh = scaling * instance.world_from_mesh;
+    Camera camera = scene.cameras.front();
+    camera.eye *= scale;
+    camera.target *= scale;
+    camera.near *= scale;
+    Study study(device(), scene, camera, scene.lights.front(), small());
+    const ErrorFigures error = run(study, "sm@2048").result.error;
+    EXPECT_GE(error.match, 0.99) << scale;
+    EXPECT_LE(*error.oracle_fraction, 5e-4) << scale;
+  }
+}
+
+TEST_F(StudyTest, TheReferenceIsItsOwnTruth) {
+  const Scene scene = make_builtin("spheres");
+  Study study(device(), scene, scene.cameras.front(), scene.lights.front(), small());
+  EXPECT_EQ(run(study, "ray").result.error.wrong, 0u);
+}
+
+TEST_F(StudyTest, TheSameFrameTwiceIsTheSameBytes) {
+  const Scene scene = make_builtin("city");
+  Study first(device(), scene, scene.cameras.front(), scene.lights.front(), small());
+  Study second(device(), scene, scene.cameras.front(), scene.lights.front(), small());
+  for (const char* spec : {"sm@1024", "pcf@1024"}) EXPECT_EQ(run(first, spec).visibility, run(second, spec).visibility);
+}
+
+TEST_F(StudyTest, ALightFromBelowLeavesNothingLit) {
+  const Scene scene = make_builtin("spheres");
+  Study study(device(), scene, scene.cameras.front(), sun(0, -80), small());
+  EXPECT_GE(run(study, "sm@1024").result.error.match, 0.98);
+}
+
+TEST_F(StudyTest, TakesTurnsWithFramesInFlightAndKindsOfLight) {
+  const Scene scene = make_builtin("spheres");
+  const render::SceneGpu scene_gpu(device(), scene);
+  const Camera& camera = scene.cameras.front();
+  render::CameraPass camera_pass(scene_gpu, 320, 180, false);
+  shadow::Frame frame;
+  frame.scene = &scene_gpu;
+  frame.camera = render::make_view(camera, near_distance(scene, camera), 320, 180);
+  frame.light = scene.lights.front();
+  {
+    gpu::Recorder recorder(device());
+    camera_pass.record(recorder, frame.camera);
+    recorder.finish();
+  }
+  frame.depth = camera_pass.depth().view();
+  frame.normal = camera_pass.normal().view();
+  const auto technique = shadow::make_technique(device(), shadow::parse_spec("sm@512"), {320, 180, 2, true});
+  Light lamp = frame.light;
+  lamp.kind = LightKind::point;
+  lamp.position = camera.target + glm::dvec3(0, 5, 0);
+  std::vector<std::vector<std::byte>> masks;
+  for (uint64_t i = 0; i < 4; ++i) {
+    frame.index = i;
+    if (i == 3) frame.light = lamp;
+    gpu::Recorder recorder(device());
+    technique->prepare(frame, recorder);
+    // The last but one goes into a command buffer of the caller's.
+    if (i == 2) {
+      recorder.finish();
+      gpu::submit_and_wait(device(), [&](const auto& commands) { technique->record(frame, *commands); });
+    } else {
+      technique->record(frame, recorder);
+      recorder.finish();
+    }
+    masks.push_back(gpu::read_back(device(), technique->visibility(), 1));
+  }
+  EXPECT_EQ(masks[0], masks[1]);
+  EXPECT_EQ(masks[0], masks[2]);
+  EXPECT_NE(masks[0], masks[3]);
+}
+
+TEST_F(StudyTest, WritesTheWholeReport) {
+  const Scene scene = make_builtin("spheres");
+  StudyOptions options = small();
+  options.width = 160;
+  options.height = 90;
+  options.repeat = 2;
+  Study study(device(), scene, scene.cameras.front(), scene.lights.front(), options);
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "shadewright-study-test";
+  std::filesystem::remove_all(folder);
+  const std::vector<shadow::Spec> specs{shadow::parse_spec("sm@512"), shadow::parse_spec("pcf@512"), shadow::parse_spec("sm@512")};
+  const Report report = compare_techniques(study, specs, folder);
+  ASSERT_EQ(report.results.size(), 3u);
+  EXPECT_NE(report.results[0].image, report.results[2].image);
+  for (const auto& result : report.results) {
+    EXPECT_GT(result.milliseconds.median, 0);
+    EXPECT_GE(result.frame_milliseconds, result.milliseconds.median);
+    EXPECT_GT(result.memory_bytes(), 512u * 512u * 4u);
+    for (const std::string& name : {result.image, result.mask, result.difference}) EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
+  }
+  std::ifstream json(folder / "report.json");
+  const std::string text{std::istreambuf_iterator<char>(json), {}};
+  EXPECT_EQ(from_json(text, "report.json").results.size(), 3u);
+  EXPECT_TRUE(std::filesystem::exists(folder / "report.csv"));
+  EXPECT_GT(std::filesystem::file_size(folder / "index.html"), 10'000u);
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace shadewright::compare

@@ -1,0 +1,76 @@
+#include "shadewright/shadow/spec.h"
+
+#include <gtest/gtest.h>
+
+#include "shadewright/error.h"
+
+namespace shadewright::shadow {
+namespace {
+
+std::string refusal(const std::string& text) {
+  try {
+    parse_spec(text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(SpecTest, FillsInWhatIsLeftOut) {
+  const Spec spec = parse_spec("uniform");
+  EXPECT_EQ(spec.canonical(), "uniform/depth/hard@2048");
+  EXPECT_EQ(spec.choice("fit"), "view");
+  EXPECT_EQ(spec.number("bias"), 1);
+}
+
+TEST(SpecTest, WritesAliasesOut) {
+  EXPECT_EQ(parse_spec("sm@512").canonical(), "uniform/depth/hard@512");
+  EXPECT_EQ(parse_spec("pcf,width=0.2,radius=3").canonical(), "uniform/depth/pcf@2048,radius=3,width=0.2");
+  EXPECT_EQ(parse_spec("sm,bias=1,fit=view").canonical(), "uniform/depth/hard@2048");
+  EXPECT_EQ(parse_spec("ray").canonical(), "ray");
+}
+
+TEST(SpecTest, CanonicalFormsParseToThemselves) {
+  for (const char* text : {"sm", "pcf@4096,radius=4", "uniform/depth/pcf@100,fit=visible,width=1.5", "ray"})
+    EXPECT_EQ(parse_spec(parse_spec(text).canonical()).canonical(), parse_spec(text).canonical());
+}
+
+TEST(SpecTest, RefusesWithAReason) {
+  EXPECT_NE(refusal("").find("empty"), std::string::npos);
+  EXPECT_NE(refusal("smm").find("no technique or parameterization 'smm'"), std::string::npos);
+  EXPECT_NE(refusal("uniform/deep").find("no storage 'deep'"), std::string::npos);
+  EXPECT_NE(refusal("uniform/depth/soft").find("no filter 'soft'"), std::string::npos);
+  EXPECT_NE(refusal("uniform/depth/hard/x").find("more than"), std::string::npos);
+  EXPECT_NE(refusal("sm@").find("resolution"), std::string::npos);
+  EXPECT_NE(refusal("sm@12.5").find("resolution"), std::string::npos);
+  EXPECT_NE(refusal("sm@99999999").find("resolution"), std::string::npos);
+  EXPECT_NE(refusal("sm,").find("key=value"), std::string::npos);
+  EXPECT_NE(refusal("sm,radius=2").find("belongs to 'pcf'"), std::string::npos);
+  EXPECT_NE(refusal("pcf,radius=2.5").find("whole number"), std::string::npos);
+  EXPECT_NE(refusal("pcf,radius=99").find("out of range"), std::string::npos);
+  EXPECT_NE(refusal("sm,fit=tight").find("scene, view, visible"), std::string::npos);
+  EXPECT_NE(refusal("sm,bias=1,bias=2").find("twice"), std::string::npos);
+  EXPECT_NE(refusal("sm,bias=nan").find("out of range"), std::string::npos);
+  EXPECT_NE(refusal("ray@5").find("neither"), std::string::npos);
+}
+
+TEST(SpecTest, RefusesUnbuiltPartsByName) {
+  for (const char* text : {"psm", "csm", "vsm", "rtw", "spsm", "rgsm", "rmsm", "asm", "cpvs"})
+    EXPECT_NE(refusal(text).find("not built yet"), std::string::npos) << text << ": " << refusal(text);
+}
+
+TEST(SpecTest, SweepsByPowersOfTwo) {
+  EXPECT_EQ(expand_sweep("sm@512..4096,bias=2"), (std::vector<std::string>{"sm@512,bias=2", "sm@1024,bias=2", "sm@2048,bias=2", "sm@4096,bias=2"}));
+  EXPECT_EQ(expand_sweep("pcf@300..700"), (std::vector<std::string>{"pcf@300", "pcf@600"}));
+  EXPECT_EQ(expand_sweep("sm"), std::vector<std::string>{"sm"});
+  EXPECT_THROW(expand_sweep("sm@1024..512"), InputError);
+  EXPECT_THROW(expand_sweep("sm@1..x"), InputError);
+}
+
+TEST(SpecTest, HelpNamesEveryKey) {
+  const std::string help = spec_help();
+  for (const SpecKey& key : spec_keys()) EXPECT_NE(help.find(key.name), std::string::npos);
+}
+
+}  // namespace
+}  // namespace shadewright::shadow
