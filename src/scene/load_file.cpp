@@ -6,6 +6,7 @@
 #include <fstream>
 #include <string_view>
 
+#include "scene/file_options.h"
 #include "scene/gltf/read_gltf.h"
 #include "scene/read_assimp.h"
 #include "scene/scene_graph.h"
@@ -37,7 +38,9 @@ bool is_gltf(const std::string& path) {
 
 }  // namespace
 
-LoadedScene load_file(const std::string& path, const Progress& progress) {
+LoadedScene load_file(const std::string& source, const Progress& progress) {
+  const FileOptions options = parse_file_options(source);
+  const std::string& path = options.path;
   check_file(path);
   LoadedScene loaded;
   SceneGraph graph =
@@ -48,6 +51,7 @@ LoadedScene load_file(const std::string& path, const Progress& progress) {
         if (triangle[corner] >= mesh.positions.size())
           throw InputError(path, "has an index out of range in mesh \"" + mesh.name + "\"", "export the file again");
   }
+  apply(options, graph);
   loaded.scene = flatten(std::move(graph), loaded.warnings);
   if (loaded.scene.name.empty()) loaded.scene.name = fs::path(path).stem().string();
   if (const size_t dropped = drop_degenerate_triangles(loaded.scene); dropped > 0)

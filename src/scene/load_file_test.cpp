@@ -37,6 +37,23 @@ TEST(LoadFile, RefusesWhatIsNoScene) {
             std::string::npos);
 }
 
+TEST(LoadFile, TakesWhatTheFileDoesNotTellFromItsName) {
+  const TemporaryFolder folder;
+  json gltf = triangle_gltf();
+  gltf["nodes"].push_back({{"name", "SkyBox"}, {"mesh", 0}, {"translation", {9, 9, 9}}});
+  gltf["scenes"][0]["nodes"] = {0, 1};
+  const std::string file = folder.write("z.glb", make_glb(gltf.dump(), triangle_bytes()));
+  EXPECT_EQ(load_file(file).scene.instances.size(), 2u);
+  const Scene turned = load_file(file + "?up=z&without=Sky*").scene;
+  ASSERT_EQ(turned.instances.size(), 1u);
+  // The triangle lies at (0,0,0), (1,0,0), (0,0,1): its third corner, up along Z in the file, is now up along Y.
+  const Box box = bounds(turned);
+  EXPECT_NEAR(box.max.y, 1, 1e-6);
+  EXPECT_NEAR(box.size().z, 0, 1e-6);
+  EXPECT_NE(input_error([&] { load_file(file + "?without=Moon"); }).find("no node has that name"), std::string::npos);
+  EXPECT_NE(input_error([&] { load_file(file + "?up=x"); }).find("up=z"), std::string::npos);
+}
+
 TEST(LoadFile, RefusesEveryTruncation) {
   const TemporaryFolder folder;
   const std::string whole = make_glb(triangle_gltf().dump(), triangle_bytes());

@@ -1,0 +1,72 @@
+#!/usr/bin/env bash
+# The command line's contract: exit codes, one sentence for bad input, nothing half-written, the files that are promised.
+# Usage: command_line_test.sh SHADEWRIGHT
+set -uo pipefail
+shadewright=$(realpath "$1")
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+failures=0
+
+fail() { echo "FAILED: $*"; failures=$((failures + 1)); }
+
+# refuses CODE 'PATTERN' ARGS...: exits with CODE, says one line on stderr that has PATTERN, and leaves no file.
+refuses() {
+  local code=$1 pattern=$2
+  shift 2
+  "$shadewright" "$@" >stdout 2>stderr
+  local got=$?
+  [ $got -eq "$code" ] || fail "$*: exit $got instead of $code"
+  [ "$(wc -l <stderr)" -eq 1 ] || fail "$*: $(wc -l <stderr) lines on stderr: $(cat stderr)"
+  grep -q -- "$pattern" stderr || fail "$*: no '$pattern' in: $(cat stderr)"
+  rm -f stdout stderr
+  [ -z "$(ls -A)" ] || { fail "$*: left $(ls -A)"; rm -rf ./*; }
+}
+
+works() { "$shadewright" "$@" >stdout 2>stderr || fail "$*: exit $?: $(cat stderr)"; }
+
+small=(--size 160x90 --repeat 1 --quiet)
+
+refuses 2 'no technique' render builtin:spheres -t smm -o x.png "${small[@]}"
+refuses 2 'not built yet' render builtin:spheres -t psm -o x.png "${small[@]}"
+refuses 2 'no such file' render missing.glb -t sm -o x.png "${small[@]}"
+refuses 2 'builtin' render builtin:nowhere -t sm -o x.png "${small[@]}"
+refuses 2 'size' render builtin:spheres -t sm -o x.png --size 12 --quiet
+refuses 2 'size' render builtin:spheres -t sm -o x.png --size 0x10 --quiet
+refuses 2 '.png' render builtin:spheres -t sm -o x.jpg "${small[@]}"
+refuses 2 'camera' render builtin:spheres -t sm -o x.png --camera nobody "${small[@]}"
+refuses 2 'light' render builtin:spheres -t sm -o x.png --light nobody "${small[@]}"
+refuses 2 'X,Y,Z' render builtin:spheres -t sm -o x.png --eye 1,2 --target 0,0,0 "${small[@]}"
+refuses 2 'both' render builtin:spheres -t sm -o x.png --eye 1,2,3 "${small[@]}"
+refuses 2 'AZIMUTH' render builtin:spheres -t sm -o x.png --sun high "${small[@]}"
+refuses 2 'device' render builtin:spheres -t sm -o x.png --device nosuch "${small[@]}"
+refuses 2 'debug' render builtin:spheres -t sm -o x.png --debug nosuch "${small[@]}"
+refuses 2 'not built yet' compare builtin:spheres -t sm -o out --path main "${small[@]}"
+refuses 2 'report.json' compare builtin:spheres -t sm -o out --against missing.json "${small[@]}"
+refuses 2 'downwards' compare builtin:spheres -t sm@1024..512 -o out "${small[@]}"
+refuses 2 'not built yet' bench psm
+refuses 2 'help' render
+refuses 2 'help' nonsense
+refuses 1 'written' render builtin:spheres -t sm -o no/such/folder/x.png "${small[@]}"
+
+works devices && grep -q '^\*' stdout || fail "devices marks none"
+works scenes && grep -q sandbox stdout || fail "scenes lists no sandbox"
+works scenes spheres -o spheres.glb
+works render spheres.glb -t sm@512 -o file.png --mask mask.png --json figures.json --debug shadow-map "${small[@]}"
+for file in file.png mask.png figures.json file-shadow-map.png; do [ -s "$file" ] || fail "render wrote no $file"; done
+works render builtin:spheres -t sm@512 -o builtin.png --mask builtin-mask.png "${small[@]}"
+cmp -s mask.png builtin-mask.png || fail "a scene written out and loaded back has another mask"
+works render builtin:spheres -t pcf -o image.exr "${small[@]}" && [ -s image.exr ] || fail "no EXR"
+works render builtin:spheres -t ray -o ray.png "${small[@]}"
+"$shadewright" render builtin:spheres -t sm@256 -o - "${small[@]}" | head -c 4 | grep -q PNG || fail "no PNG on stdout"
+works render --help-spec
+works compare builtin:spheres -t sm@256..512 -t pcf@256 -o out --size 160x90 --repeat 1 --validation
+for file in index.html report.json report.csv reference.png; do [ -s "out/$file" ] || fail "compare wrote no $file"; done
+grep -q '"schema": "shadewright.compare/1"' out/report.json || fail "report.json has no schema"
+[ "$(grep -c '"technique"' out/report.json)" -eq 3 ] || fail "the sweep has not three results"
+works compare builtin:spheres -t sm@512 -o again --against out/report.json --size 160x90 --repeat 1
+grep -q 'against' stdout || fail "compare --against says nothing"
+grep -qE '(src|href|url)[=(]"?https?:' out/index.html && fail "index.html refers to the network"
+
+[ $failures -eq 0 ] && echo "all passed"
+exit $((failures > 0))
