@@ -26,6 +26,7 @@ struct Facade {
   int balcony_bars = 9;
   double window_width = 1.1;
   double top = 9;
+  double course_drop = 0;  ///< how much lower the bands between storeys lie, so that they lap at the corners
 
   double column_center(int column) const { return length * ((column + 0.5) / columns - 0.5); }
   double window_bottom(int floor) const { return storey * floor + sill_height; }
@@ -73,8 +74,8 @@ Mesh facade_stone(const Facade& f, int detail) {
       }
     }
     if (detail >= 3 && s > 0)
-      append(mesh, slab({-0.5 * f.length - 0.04, storey * s - 0.12, -0.1},
-                        {0.5 * f.length + 0.04, storey * s + 0.1, 0.07}, 0.03));
+      append(mesh, slab({-0.5 * f.length - 0.04, storey * s - 0.12 - f.course_drop, -0.1},
+                        {0.5 * f.length + 0.04, storey * s + 0.1 - f.course_drop, 0.07}, 0.03));
   }
   return mesh;
 }
@@ -183,6 +184,7 @@ Prop house(Scene& scene, const HouseShape& shape, Random& random) {
   side.length = d - wall_thickness;
   side.columns = shape.detail == 1 ? 1 : 2;
   side.top = top - 0.03;
+  side.course_drop = 0.015;
   add_facade(m, front, moved({0, 0, 0.5 * d}), shape.detail, shutters);
   add_facade(m, back, moved({0, 0, -0.5 * d}) * turned_y(pi), shape.detail, false);
   for (const double s : {-1.0, 1.0})

@@ -239,10 +239,10 @@ Prop railing(Scene& scene, double length) {
     const double x = length * (double(k) / bars - 0.5);
     append(mesh, rod({x, 0.14, 0}, {x, 1.01, 0}, 0.009, 9));
   }
-  for (const double x : {-0.5 * length, 0.5 * length}) {
-    append(mesh, bar({x, -0.1, 0}, {x, 1.12, 0}, 0.035));
-    append(mesh, sphere(0.05, 14, 8), moved({x, 1.14, 0}));
-  }
+  // The post at the far end is slimmer: the next panel's stands around it.
+  append(mesh, bar({-0.5 * length, -0.1, 0}, {-0.5 * length, 1.12, 0}, 0.035));
+  append(mesh, sphere(0.05, 14, 8), moved({-0.5 * length, 1.14, 0}));
+  append(mesh, bar({0.5 * length, -0.09, 0}, {0.5 * length, 1.08, 0}, 0.031));
   add_part(scene, prop, std::move(mesh), color(0x3E5A4C));
   return prop;
 }

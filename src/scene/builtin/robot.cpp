@@ -84,8 +84,8 @@ void add_fingers(Parts& p) {
 
 Parts chest_parts() {
   Parts p;
-  append(p.armour, transformed(shell(0.36, 0.1, {0.125, 0.185}, {0.1, 0.14}), glm::dmat4(1.0)));
-  append(p.dark, transformed(shell(0.16, -0.06, {0.075, 0.1}, {0.08, 0.11}), glm::dmat4(1.0)));
+  append(p.armour, shell(0.36, 0.1, {0.125, 0.185}, {0.1, 0.14}));
+  append(p.dark, shell(0.16, -0.06, {0.075, 0.1}, {0.08, 0.11}));
   for (int k = 0; k < 5; ++k)
     append(p.steel, torus(0.098, 0.012, 28, 8), moved({0, -0.02 + 0.028 * k, 0}) * scaled({0.85, 1, 1.15}));
   // A lamp in the breast, grilles, and a pack with two bottles.

@@ -169,7 +169,7 @@ Prop car(Scene& scene, int detail, Random& random) {
   for (const double side : {-1.0, 1.0}) {
     append(trim, sphere(0.11, detail == 1 ? 6 : 10, detail == 1 ? 3 : 6),
            moved({nose - 0.09, 0.62, side * (half - 0.3)}) * scaled({0.6, 0.8, 1.3}));
-    append(trim, box({tail + 0.0, 0.62, side * (half - 0.24) - 0.1}, {tail + 0.1, 0.76, side * (half - 0.24) + 0.1}));
+    append(trim, box({tail - 0.012, 0.62, side * (half - 0.24) - 0.1}, {tail + 0.1, 0.76, side * (half - 0.24) + 0.1}));
   }
   append(trim, slab({nose - 0.16, 0.4, -half + 0.16}, {nose + 0.06, 0.5, half - 0.16}, 0.02));
   append(trim, slab({tail - 0.06, 0.42, -half + 0.12}, {tail + 0.14, 0.54, half - 0.12}, 0.02));

@@ -53,7 +53,7 @@ Mesh lump(const glm::dvec3& center, const glm::dvec3& radii, uint32_t segments, 
     const double factor = 1 + roughness * random.range(-1, 1);
     p = glm::vec3(center + radii * factor * glm::dvec3(p));
   }
-  return transformed(mesh, glm::dmat4(1.0));
+  return mesh;
 }
 
 Prop broadleaf_tree(Scene& scene, const TreeShape& shape, Random& random) {

@@ -13,6 +13,8 @@
 #include "scene/builtin/shapes/lathe.h"
 #include "scene/builtin/shapes/mesh_edit.h"
 #include "scene/builtin/shapes/panel.h"
+#include "scene/builtin/shapes/sheet.h"
+#include "scene/builtin/shapes/subdivide.h"
 #include "scene/builtin/shapes/sweep.h"
 #include "scene/builtin/shapes/terrain.h"
 
@@ -103,6 +105,29 @@ TEST(Shapes, PanelsAndTerrain) {
       terrain_solid({0, 0}, {2, 3}, 7, 5, -1, [](double x, double z) { return std::sin(9 * x) * std::cos(5 * z); });
   EXPECT_EQ(hills.triangles.size(), 2u * 7 * 5 + 6 * (7 + 5));
   EXPECT_EQ(count_open_edges(hills), 0u);
+}
+
+TEST(Shapes, SheetsLeaveOutCells) {
+  const auto flat = [](uint32_t i, uint32_t j) { return glm::dvec3(i, j, 0); };
+  const Mesh mesh = sheet(3, 3, flat, [](uint32_t i, uint32_t j) { return i != 1 || j != 1; });
+  EXPECT_EQ(mesh.triangles.size(), 16u);
+  EXPECT_EQ(mesh.positions.size(), 16u);
+  EXPECT_EQ(count_unsound_triangles(mesh), 0u);
+  EXPECT_EQ(count_open_edges(mesh), 16u);  // around the outside and around the hole
+}
+
+TEST(Shapes, SubdivisionKeepsClosedAndRounds) {
+  QuadMesh cube;
+  for (int c = 0; c < 8; ++c) cube.positions.emplace_back(c & 1 ? 1 : -1, c & 2 ? 1 : -1, c & 4 ? 1 : -1);
+  cube.quads = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+  expect_solid(to_triangles(cube), 8);
+  const QuadMesh once = subdivide(cube);
+  EXPECT_EQ(once.quads.size(), 24u);
+  // A cube's corner: F = (1/3, 1/3, 1/3), R = (2/3, 2/3, 2/3) towards it, so (F + 2 R) / 3 = 5/9.
+  EXPECT_NEAR(glm::length(once.positions[7] - glm::dvec3(5.0 / 9)), 0, 1e-12);
+  const Mesh smooth_cube = to_triangles(subdivide(subdivide(once)));
+  EXPECT_EQ(count_unsound_triangles(smooth_cube), 0u);
+  EXPECT_EQ(count_open_edges(smooth_cube), 0u);
 }
 
 TEST(Random, IsPcg32) {
