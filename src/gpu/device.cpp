@@ -11,6 +11,7 @@ namespace shadewright::gpu {
 namespace {
 
 constexpr uint32_t api_version = VK_API_VERSION_1_3;
+const vk::QueueFlags queue_work = vk::QueueFlagBits::eGraphics | vk::QueueFlagBits::eCompute;
 const char* const no_vulkan_mend = "install the Debian package mesa-vulkan-drivers (software device) or your GPU's driver";
 
 DeviceType device_type(vk::PhysicalDeviceType type) {
@@ -75,39 +76,25 @@ void chain(DeviceFeatures& f) {
   f.vulkan12.pNext = &f.vulkan13;
 }
 
-/// Why `physical` can't be used, or nothing.
-std::string why_unusable(const vk::raii::PhysicalDevice& physical) {
-  if (physical.getProperties().apiVersion < api_version) return "no Vulkan 1.3";
-  for (const char* wanted : Device::required_extensions()) {
-    const auto extensions = physical.enumerateDeviceExtensionProperties();
-    if (std::none_of(extensions.begin(), extensions.end(),
-                     [&](const auto& e) { return std::string_view(e.extensionName) == wanted; }))
-      return std::string("no ") + wanted;
-  }
-  DeviceFeatures features;
-  chain(features);
-  (*physical).getFeatures2(&features.core, *physical.getDispatcher());
-  std::string missing;
-  visit_features(features, [&](const char* name, vk::Bool32 value) {
-    if (!value && missing.empty()) missing = std::string("no ") + name;
-  });
-  return missing;
-}
-
 DeviceInfo describe(const vk::raii::PhysicalDevice& physical, uint32_t index) {
   const auto chain = physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>();
   const auto& properties = chain.get<vk::PhysicalDeviceProperties2>().properties;
   const auto& driver = chain.get<vk::PhysicalDeviceDriverProperties>();
   return {index, properties.deviceName, std::string(driver.driverName) + " " + std::string(driver.driverInfo),
-          device_type(properties.deviceType), why_unusable(physical)};
+          device_type(properties.deviceType), Device::why_unusable(physical)};
 }
 
 uint32_t find_queue_family(const vk::raii::PhysicalDevice& physical) {
   const auto families = physical.getQueueFamilyProperties();
-  const auto wanted = vk::QueueFlagBits::eGraphics | vk::QueueFlagBits::eCompute;
   for (uint32_t i = 0; i < families.size(); ++i)
-    if ((families[i].queueFlags & wanted) == wanted) return i;
+    if ((families[i].queueFlags & queue_work) == queue_work) return i;
   throw FailureError("Vulkan device", "no queue does both graphics and compute", "choose another with --device");
+}
+
+const AdoptedDevice& with_all_handles(const AdoptedDevice& handles) {
+  if (!handles.instance || !handles.physical_device || !handles.device || !handles.queue)
+    throw InputError("adopted device", "instance, physical device, device or queue is missing", "give all four");
+  return handles;
 }
 
 std::string lower(std::string text) {
@@ -182,6 +169,24 @@ std::vector<DeviceInfo> Device::list() {
   return result;
 }
 
+std::string Device::why_unusable(const vk::raii::PhysicalDevice& physical) {
+  if (physical.getProperties().apiVersion < api_version) return "no Vulkan 1.3";
+  for (const char* wanted : Device::required_extensions()) {
+    const auto extensions = physical.enumerateDeviceExtensionProperties();
+    if (std::none_of(extensions.begin(), extensions.end(),
+                     [&](const auto& e) { return std::string_view(e.extensionName) == wanted; }))
+      return std::string("no ") + wanted;
+  }
+  DeviceFeatures features;
+  chain(features);
+  (*physical).getFeatures2(&features.core, *physical.getDispatcher());
+  std::string missing;
+  visit_features(features, [&](const char* name, vk::Bool32 value) {
+    if (!value && missing.empty()) missing = std::string("no ") + name;
+  });
+  return missing;
+}
+
 std::vector<const char*> Device::required_extensions() { return {VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME}; }
 
 void Device::required_features(DeviceFeatures& features) {
@@ -217,7 +222,18 @@ Device::Device(const DeviceOptions& options) : context_(make_context()), message
   nanoseconds_per_tick_ = static_cast<double>(physical_.getProperties().limits.timestampPeriod);
 }
 
-Device::Device(const AdoptedDevice& handles)
+// The outer constructor checks: what it throws finds a whole object, whose destructor lets go of the caller's handles.
+Device::Device(const AdoptedDevice& handles) : Device(with_all_handles(handles), Unchecked{}) {
+  if (!info_.unusable.empty())
+    throw InputError("adopted device " + info_.name, "it can't be used (" + info_.unusable + ")",
+                     "choose one that can");
+  const auto families = physical_.getQueueFamilyProperties();
+  if (queue_family_ >= families.size() || (families[queue_family_].queueFlags & queue_work) != queue_work)
+    throw InputError("adopted device " + info_.name, "its queue does not do both graphics and compute",
+                     "choose another family");
+}
+
+Device::Device(const AdoptedDevice& handles, Unchecked)
     : context_(make_context()),
       messages_(std::make_unique<Messages>()),
       owned_(false),

@@ -30,8 +30,10 @@ struct DeviceOptions {
   bool validation = false;  ///< turn the Khronos validation layer on, with synchronization checks; messages are collected
 };
 
-/// Handles that the caller owns and keeps alive for as long as the Device. The device must have been created with Vulkan 1.3,
-/// the extensions of `Device::required_extensions()` and the features that `Device::required_features` sets.
+/// Handles that the caller owns and keeps alive for as long as the Device. The device must have been created with
+/// Vulkan 1.3, the extensions of `Device::required_extensions()` and the features that `Device::required_features`
+/// sets. The queue does graphics and compute. Calls that wait for the device (uploads, `read_back`, a Recorder that
+/// owns its command buffers) submit to it: the caller submits from no other thread meanwhile.
 struct AdoptedDevice {
   VkInstance instance = VK_NULL_HANDLE;
   VkPhysicalDevice physical_device = VK_NULL_HANDLE;
@@ -59,13 +61,17 @@ class Device {
 
   /// Finds and owns a device. InputError when `select` fits none, FailureError when none is usable.
   explicit Device(const DeviceOptions& options = {});
-  /// Wraps a device that the caller owns; nothing of it is destroyed here.
+  /// Wraps a device that the caller owns; nothing of it is destroyed here. InputError when a handle is missing, or the
+  /// physical device can't do what is required.
   explicit Device(const AdoptedDevice& handles);
   ~Device();
   Device(const Device&) = delete;
   Device& operator=(const Device&) = delete;
 
-  /// What a device to be adopted must be created with.
+  /// Why a physical device can't be used, one phrase; empty = usable. For callers who choose one to be adopted.
+  static std::string why_unusable(const vk::raii::PhysicalDevice& physical);
+  /// What a device to be adopted must be created with: extensions, and features, chained from `features.core`. A caller
+  /// sets more of them afterwards, as needed.
   static std::vector<const char*> required_extensions();
   static void required_features(DeviceFeatures& features);
 
@@ -86,6 +92,8 @@ class Device {
 
  private:
   struct Messages;
+  struct Unchecked {};
+  Device(const AdoptedDevice& handles, Unchecked);
 
   vk::raii::Context context_;
   std::unique_ptr<Messages> messages_;

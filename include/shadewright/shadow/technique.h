@@ -30,15 +30,17 @@ struct MapView {
   bool drawn = true;  ///< false: nothing receives here, the layer is only cleared
 };
 
-/// What a caller's own casters are drawn with. The rendering has begun (depth only, D32, depth clamp is the pipeline's), the
-/// viewport is set. The pipeline's layout must have `set_layout` as set `set_index` and its vertex shader include the
-/// technique's parameterization GLSL (see Technique::caster_include) and end with gl_Position = map_caster(world, view).
+/// What a caller's own casters are drawn with. The rendering has begun, viewport and scissor are set. The caller's
+/// pipeline has a D32 depth attachment and no color, writes depth with compare "less", and clamps it (casters before
+/// the map's nearest depth count). Its vertex shader includes the first of Technique::lookup_includes(), which declares
+/// the resources of one descriptor set (number SHADEWRIGHT_LOOKUP_SET, 1 unless defined before), and ends with
+/// gl_Position = map_caster(world, view). Its layout has Technique::lookup_layout() at that number, where the callback
+/// binds `set`.
 struct CasterDraw {
   const vk::raii::CommandBuffer& commands;
   uint32_t view = 0;  ///< index for map_caster
   const MapView& map_view;
   vk::DescriptorSet set;
-  uint32_t set_index = 1;
 };
 using CasterCallback = std::function<void(const CasterDraw&)>;
 
@@ -73,12 +75,16 @@ class Technique {
  public:
   virtual ~Technique() = default;
 
-  /// Finds matrices and whatever else the frame needs. May submit and wait (then the camera's buffers must be complete), unless
-  /// readback was forbidden. InputError for a light or camera this technique can't serve.
+  /// Finds matrices and whatever else the frame needs. May submit and wait (then the camera's buffers must be
+  /// complete), unless readback was forbidden: then a Recorder of the caller's command buffer will do. The frame that
+  /// used this slot before (`index` less `frames_in_flight`) must have finished on the device. InputError for a light or
+  /// camera that this technique can't serve.
   virtual void prepare(const Frame& frame, gpu::Recorder& recorder) = 0;
   /// Records map and look-up; never submits or waits. The visibility image is left in shader-read layout.
   virtual void record(const Frame& frame, gpu::Recorder& recorder) = 0;
-  /// The same into a command buffer of the caller's.
+  /// The same into a command buffer of the caller's, which has been begun, outside of any rendering. The camera's
+  /// buffers must be visible to compute shaders there; the visibility image is, to every later command, when this
+  /// returns.
   void record(const Frame& frame, VkCommandBuffer commands);
 
   /// True if `prepare` submits and waits.
