@@ -3,13 +3,14 @@
 
 #include <cstdio>
 
+#include "interrupt.h"
 #include "shadewright/error.h"
 #include "verbs.h"
 
 namespace {
 
 /// The verbs of the contract that are not there yet are refused by name, instead of being unknown words.
-constexpr const char* later_verbs[] = {"bake", "info", "query", "bench", "view"};
+constexpr const char* later_verbs[] = {"bench", "view"};
 
 int fail(const std::string& sentence, int code) {
   fmt::print(stderr, "shadewright: {}\n", sentence);
@@ -25,6 +26,9 @@ int main(int argc, char** argv) {
   shadewright::app::add_render(app);
   shadewright::app::add_compare(app);
   shadewright::app::add_scenes(app);
+  shadewright::app::add_bake(app);
+  shadewright::app::add_info(app);
+  shadewright::app::add_query(app);
   shadewright::app::add_devices(app);
   if (argc > 1)
     for (const char* verb : later_verbs)
@@ -38,6 +42,8 @@ int main(int argc, char** argv) {
     return fail(fmt::format("{}; see shadewright {} --help", error.what(), argc > 1 && argv[1][0] != '-' ? argv[1] : ""), 2);
   } catch (const shadewright::InputError& error) {
     return fail(error.what(), 2);
+  } catch (const shadewright::app::Interrupted&) {
+    return fail("interrupted; nothing was written", 130);
   } catch (const std::bad_alloc&) {
     return fail("out of memory; use a smaller scene or image", 1);
   } catch (const std::exception& error) {

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "shadewright/error.h"
+#include "shadewright/files.h"
 
 namespace shadewright::app {
 
@@ -71,7 +72,9 @@ Camera choose_camera(const SceneFlags& flags, const Scene& scene, std::vector<st
   return camera;
 }
 
-Light choose_light(const SceneFlags& flags, const Scene& scene, std::vector<std::string>& notes) {
+}  // namespace
+
+Light choose_light(const LightFlags& flags, const Scene& scene, std::vector<std::string>& notes) {
   if (!flags.light.empty() && !flags.sun.empty()) throw InputError("--light", "it can't be given with --sun", "give one of them");
   if (!flags.light.empty()) return find_light(scene, flags.light);
   if (!flags.sun.empty()) {
@@ -87,7 +90,24 @@ Light choose_light(const SceneFlags& flags, const Scene& scene, std::vector<std:
   return sun(35, 45);
 }
 
-}  // namespace
+Box parse_bounds(const std::string& flag, const std::string& text) {
+  const auto v = parse_numbers<6>(flag, text, "X0,Y0,Z0,X1,Y1,Z1");
+  const Box box{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
+  if (box.empty()) throw InputError(fmt::format("{} {}", flag, text), "a lower corner lies above the upper one", "give the lower corner first");
+  return box;
+}
+
+void write_text(const std::string& text, const std::string& file) {
+  if (file == "-")
+    std::fwrite(text.data(), 1, text.size(), stdout);
+  else
+    write_file(file, text);
+}
+
+void LightFlags::add_to(CLI::App& verb) {
+  verb.add_option("--light", light, "A light of the scene, by name");
+  verb.add_option("--sun", sun, "Direction towards the sun, AZIMUTH,ELEVATION in degrees (azimuth 0 = +X, 90 = +Z)");
+}
 
 void SceneFlags::add_to(CLI::App& verb) {
   verb.add_option("SCENE", scene, "A file (glTF, GLB, OBJ, ...) or builtin:NAME[?key=value&...]")->required();
@@ -95,8 +115,7 @@ void SceneFlags::add_to(CLI::App& verb) {
   verb.add_option("--eye", eye, "Camera position X,Y,Z, in the file's coordinates");
   verb.add_option("--target", target, "What the camera looks at, X,Y,Z");
   verb.add_option("--fov", fov, "Full vertical field of view, degrees")->check(CLI::Range(1.0, 160.0));
-  verb.add_option("--light", light, "A light of the scene, by name");
-  verb.add_option("--sun", sun, "Direction towards the sun, AZIMUTH,ELEVATION in degrees (azimuth 0 = +X, 90 = +Z)");
+  light.add_to(verb);
   verb.add_option("--size", size, "Image size WxH in pixels")->capture_default_str();
   verb.add_option("--repeat", repeat, "Timed repeats after warm-up")->capture_default_str()->check(CLI::Range(0, 10000));
   verb.add_option("--reference-samples", reference_samples, "Samples a pixel of the filtered reference")->capture_default_str()->check(CLI::Range(0, 1024));
@@ -118,7 +137,7 @@ View load_view(const SceneFlags& flags, ProgressBar& progress) {
   view.scene = std::move(loaded.scene);
   view.notes = std::move(loaded.warnings);
   view.camera = choose_camera(flags, view.scene, view.notes);
-  view.light = choose_light(flags, view.scene, view.notes);
+  view.light = choose_light(flags.light, view.scene, view.notes);
   if (!flags.quiet)
     for (const std::string& note : view.notes) fmt::print(stderr, "{}\n", note);
   if (flags.verbose)

@@ -12,11 +12,17 @@
 
 namespace shadewright::app {
 
+struct LightFlags {
+  std::string light, sun;
+
+  void add_to(CLI::App& verb);
+};
+
 struct SceneFlags {
   std::string scene;
   std::string camera, eye, target;
   double fov = 0;
-  std::string light, sun;
+  LightFlags light;
   std::string size = "1920x1080";
   uint32_t repeat = 10;
   uint32_t reference_samples = 16;
@@ -39,6 +45,13 @@ struct View {
 
 /// Loads and chooses; prints warnings and choices to stderr unless quiet. InputError for what does not fit.
 View load_view(const SceneFlags& flags, ProgressBar& progress);
+
+/// The light that the flags, the scene, or our own judgement chose; what was chosen is added to `notes`.
+Light choose_light(const LightFlags& flags, const Scene& scene, std::vector<std::string>& notes);
+/// "X0,Y0,Z0,X1,Y1,Z1"; InputError naming `flag`.
+Box parse_bounds(const std::string& flag, const std::string& text);
+/// Writes `text` to `file`; "-" is standard output.
+void write_text(const std::string& text, const std::string& file);
 
 gpu::DeviceOptions device_options(const SceneFlags& flags);
 /// After the work: FailureError if the validation layer had something to say.

@@ -8,7 +8,6 @@
 #include "shadewright/compare/report.h"
 #include "shadewright/compare/study.h"
 #include "shadewright/error.h"
-#include "shadewright/files.h"
 #include "shadewright/render/image.h"
 #include "verbs.h"
 
@@ -26,13 +25,6 @@ void check_image_name(const std::string& flag, const std::string& name, bool exr
   const std::string ending = std::filesystem::path(name).extension();
   if (name == "-" || ending == ".png" || (exr && ending == ".exr")) return;
   throw InputError(flag + " " + name, exr ? "it ends in neither .png nor .exr" : "it does not end in .png", "name the file so");
-}
-
-void write_text(const std::string& text, const std::string& file) {
-  if (file == "-")
-    std::fwrite(text.data(), 1, text.size(), stdout);
-  else
-    write_file(file, text);
 }
 
 void list_debug_images(const shadow::Spec& spec, const SceneFlags& flags) {

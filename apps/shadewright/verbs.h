@@ -9,5 +9,8 @@ void add_render(CLI::App& app);
 void add_compare(CLI::App& app);
 void add_scenes(CLI::App& app);
 void add_devices(CLI::App& app);
+void add_bake(CLI::App& app);
+void add_info(CLI::App& app);
+void add_query(CLI::App& app);
 
 }  // namespace shadewright::app
