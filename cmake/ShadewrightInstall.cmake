@@ -5,7 +5,9 @@ set(shadewright_package_folder "${CMAKE_INSTALL_LIBDIR}/cmake/shadewright")
 set(shadewright_glsl_folder "${CMAKE_INSTALL_DATADIR}/shadewright/glsl")
 
 # One export set a component, so that a user of core loads nothing of render's.
+# Debug and release libraries lie side by side: a program links the one that fits its own configuration (see gpu/device.h).
 function(shadewright_install_component component)
+  set_target_properties(shadewright_${component} PROPERTIES DEBUG_POSTFIX d)
   install(TARGETS shadewright_${component} EXPORT shadewright_${component})
   install(EXPORT shadewright_${component} NAMESPACE shadewright:: FILE shadewright-${component}.cmake
           DESTINATION "${shadewright_package_folder}")
@@ -52,7 +54,7 @@ if(SHADEWRIGHT_TESTS AND NOT SHADEWRIGHT_SANITIZE)
     list(APPEND examples own_device)
   endif()
   add_test(NAME examples
-           COMMAND ${CMAKE_COMMAND} "-DEXAMPLES=${examples}" "-DBUILD=${PROJECT_BINARY_DIR}" "-DSOURCE=${PROJECT_SOURCE_DIR}"
+           COMMAND ${CMAKE_COMMAND} "-DEXAMPLES=${examples}" "-DBUILD=${PROJECT_BINARY_DIR}" "-DCONFIG=$<CONFIG>" "-DSOURCE=${PROJECT_SOURCE_DIR}"
                    "-DGENERATOR=${CMAKE_GENERATOR}" "-DCOMPILER=${CMAKE_CXX_COMPILER}" "-DLAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}"
                    "-DGLSL=${shadewright_glsl_folder}" -P "${PROJECT_SOURCE_DIR}/tests/examples.cmake")
   set_tests_properties(examples PROPERTIES LABELS render TIMEOUT 600)

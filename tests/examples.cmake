@@ -1,5 +1,5 @@
 # The ctest "examples": installs this build, then configures, builds and runs each example against the installation, as a user
-# would. Called with EXAMPLES, BUILD, SOURCE, GENERATOR, COMPILER, LAUNCHER and GLSL (where the shaders go below the prefix).
+# would. Called with EXAMPLES, BUILD, CONFIG, SOURCE, GENERATOR, COMPILER, LAUNCHER and GLSL (where the shaders go below the prefix).
 cmake_minimum_required(VERSION 3.25)
 
 set(work "${BUILD}/examples_test")
@@ -14,7 +14,7 @@ macro(run what)
 endmacro()
 
 file(REMOVE_RECURSE "${work}")
-run("install" ${CMAKE_COMMAND} --install "${BUILD}" --prefix "${prefix}")
+run("install" ${CMAKE_COMMAND} --install "${BUILD}" --config "${CONFIG}" --prefix "${prefix}")
 
 # Each file that published GLSL includes must be published too.
 file(GLOB_RECURSE published "${prefix}/${GLSL}/*")
@@ -34,7 +34,7 @@ set(ENV{VK_LAYER_ENABLES} VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATIO
 foreach(example ${EXAMPLES})
   set(folder "${work}/${example}")
   run("configuring ${example}" ${CMAKE_COMMAND} -S "${SOURCE}/examples/${example}" -B "${folder}" -G "${GENERATOR}"
-      -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}"
+      "-DCMAKE_BUILD_TYPE=${CONFIG}" "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}"
       "-DCMAKE_PREFIX_PATH=${prefix}" "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Wpedantic -Wconversion -Werror")
   if(example STREQUAL "query_reference")
     file(STRINGS "${folder}/CMakeCache.txt" vulkan REGEX "Vulkan")
@@ -42,7 +42,7 @@ foreach(example ${EXAMPLES})
       message(FATAL_ERROR "core alone looked for Vulkan: ${vulkan}")
     endif()
   endif()
-  run("building ${example}" ${CMAKE_COMMAND} --build "${folder}")
+  run("building ${example}" ${CMAKE_COMMAND} --build "${folder}" --config "${CONFIG}")
   run("${example}" "${folder}/${example}")
   message("${output}")
   if(output MATCHES "Validation (Error|Warning)|VUID-|SYNC-HAZARD")

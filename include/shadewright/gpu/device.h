@@ -54,6 +54,14 @@ struct DeviceFeatures {
   DeviceFeatures& operator=(const DeviceFeatures&) = delete;
 };
 
+// Vulkan-Hpp's classes have more members where asserts are on. A program and a library that differ in NDEBUG would read
+// each other's objects wrongly; so the name says it, and they do not link.
+#ifdef NDEBUG
+inline namespace asserts_off {
+#else
+inline namespace asserts_on {
+#endif
+
 class Device {
  public:
   /// Everything the loader offers. Throws FailureError naming the Debian package when there is no Vulkan at all.
@@ -108,5 +116,7 @@ class Device {
   double nanoseconds_per_tick_ = 1;
   vk::PhysicalDeviceMemoryProperties memory_;
 };
+
+}  // namespace asserts_off / asserts_on
 
 }  // namespace shadewright::gpu
