@@ -153,8 +153,8 @@ void WalkTogether(const DagView& dag, uint32_t reach, uint32_t depth, PointBlock
   }
 }
 
-/// Walks single leaves to their end; `tasks.leaf` becomes their masks.
-void WalkLeaves(const DagView& dag, LeafTasks& tasks) {
+/// Walks single leaves to their end, and counts the visible voxels of each that the filter holds.
+void WalkLeaves(const DagView& dag, uint32_t reach, LeafTasks& tasks) {
   const Words d;
   const hn::RebindToSigned<Words> si;
   const uint32_t* nodes = dag.nodes.data();
@@ -182,10 +182,31 @@ void WalkLeaves(const DagView& dag, LeafTasks& tasks) {
       height = hn::Sub(height, one);
     }
     const Word index = hn::IfThenElseZero(in_leaf, hn::Add(at, at)), filled = hn::Sub(hn::Zero(d), value);
-    hn::Store(hn::IfThenElse(in_leaf, hn::GatherIndex(d, leaves, hn::BitCast(si, index)), filled), d,
-              &tasks.leaf_low[i]);
-    hn::Store(hn::IfThenElse(in_leaf, hn::GatherIndex(d, leaves + 1, hn::BitCast(si, index)), filled), d,
-              &tasks.leaf_high[i]);
+    const Word low = hn::IfThenElse(in_leaf, hn::GatherIndex(d, leaves, hn::BitCast(si, index)), filled);
+    const Word high = hn::IfThenElse(in_leaf, hn::GatherIndex(d, leaves + 1, hn::BitCast(si, index)), filled);
+    // The filter's columns and rows inside the leaf (figure 6), as one byte of columns and two masks of four rows.
+    const Word px = hn::Load(d, &tasks.center_x[i]), py = hn::Load(d, &tasks.center_y[i]), wide = hn::Set(d, reach);
+    const auto first = [&](Word center, Word corner) {
+      return hn::Sub(hn::Max(hn::Sub(center, wide), corner), corner);
+    };
+    const auto end = [&](Word center, Word corner) {
+      return hn::Min(hn::Sub(hn::Add(hn::Add(center, wide), one), corner), hn::Set(d, 8));
+    };
+    const auto from = [&](Word bit) { return hn::Shl(hn::Set(d, 0xff), bit); };
+    const Word columns = hn::And(hn::AndNot(from(end(px, x)), from(first(px, x))), hn::Set(d, 0xff));
+    const Word pattern = hn::Mul(columns, hn::Set(d, 0x01010101));
+    // In two shifts, as a shift by all 32 bits is not defined.
+    const auto rows_from = [&](Word row) {
+      const Word twice = hn::ShiftLeft<2>(row);
+      return hn::Shl(hn::Shl(hn::Set(d, ~0u), twice), twice);
+    };
+    const Word top = first(py, y), bottom = end(py, y), four = hn::Set(d, 4);
+    const auto below_four = [&](Word row) { return hn::Min(row, four); };
+    const auto above_four = [&](Word row) { return hn::Sub(hn::Max(row, four), four); };
+    const Word low_rows = hn::AndNot(rows_from(below_four(bottom)), rows_from(below_four(top)));
+    const Word high_rows = hn::AndNot(rows_from(above_four(bottom)), rows_from(above_four(top)));
+    const auto lit = [&](Word leaf, Word rows) { return hn::PopulationCount(hn::And(leaf, hn::And(pattern, rows))); };
+    hn::Store(hn::Add(lit(low, low_rows), lit(high, high_rows)), d, &tasks.lit[i]);
   }
 }
 
@@ -238,7 +259,7 @@ float filtered_alone(const DagView& dag, glm::ivec3 at, uint32_t taps) {
   return float(lit + taps * taps - inside) / float(taps * taps);
 }
 
-/// Puts the leaves of a point's filter into the list, with their share of it.
+/// Puts the leaves of a point's filter into the list.
 void add_leaves(const PointBlock& block, uint32_t point, int32_t reach, LeafTasks& tasks) {
   const int32_t x = int32_t(block.voxel[0][point]), y = int32_t(block.voxel[1][point]);
   for (int32_t leaf_y = (y - reach) >> 3; leaf_y <= (y + reach) >> 3; ++leaf_y)
@@ -249,17 +270,15 @@ void add_leaves(const PointBlock& block, uint32_t point, int32_t reach, LeafTask
       tasks.z[task] = block.voxel[2][point];
       tasks.at[task] = block.at[point];
       tasks.height[task] = block.height[point];
-      tasks.mask[task] = filter_mask(leaf_x, leaf_y, x - reach, x + reach, y - reach, y + reach);
+      tasks.center_x[task] = uint32_t(x);
+      tasks.center_y[task] = uint32_t(y);
       tasks.point[task] = point;
     }
 }
 
-void finish_tasks(const DagView& dag, LeafTasks& tasks, std::array<uint32_t, kBlockPoints>& lit) {
-  HWY_DYNAMIC_DISPATCH(WalkLeaves)(dag, tasks);
-  for (size_t i = 0; i < tasks.count; ++i) {
-    const uint64_t leaf = uint64_t(tasks.leaf_high[i]) << 32 | tasks.leaf_low[i];
-    lit[tasks.point[i]] += uint32_t(std::popcount(leaf & tasks.mask[i]));
-  }
+void finish_tasks(const DagView& dag, uint32_t reach, LeafTasks& tasks, std::array<uint32_t, kBlockPoints>& lit) {
+  HWY_DYNAMIC_DISPATCH(WalkLeaves)(dag, reach, tasks);
+  for (size_t i = 0; i < tasks.count; ++i) lit[tasks.point[i]] += tasks.lit[i];
   tasks.count = 0;
 }
 
@@ -280,11 +299,11 @@ void look_up_block(const DagView& dag, const ReceiverMap& map, uint32_t depth, s
           dag, {int32_t(block.voxel[0][i]), int32_t(block.voxel[1][i]), int32_t(block.voxel[2][i])}, taps);
     } else {
       result[i] = -1;
-      if (tasks.count + kMostLeaves > tasks.x.size()) finish_tasks(dag, tasks, lit);
+      if (tasks.count + kMostLeaves > tasks.x.size()) finish_tasks(dag, taps / 2, tasks, lit);
       add_leaves(block, i, int32_t(taps / 2), tasks);
     }
   }
-  finish_tasks(dag, tasks, lit);
+  finish_tasks(dag, taps / 2, tasks, lit);
   for (uint32_t i = 0; i < points.size(); ++i)
     if (result[i] < 0) result[i] = float(lit[i]) / scale;
 }

@@ -48,8 +48,9 @@ struct PointBlock {
 struct LeafTasks {
   static constexpr size_t kSize = 512;
   size_t count = 0;
-  alignas(64) std::array<uint32_t, kSize> x, y, z, at, height, leaf_low, leaf_high;
-  std::array<uint64_t, kSize> mask;
+  alignas(64) std::array<uint32_t, kSize> x, y, z;             ///< the leaf's first texel, and its depth
+  alignas(64) std::array<uint32_t, kSize> center_x, center_y;  ///< of the filter
+  alignas(64) std::array<uint32_t, kSize> at, height, lit;
   std::array<uint32_t, kSize> point;
 };
 
