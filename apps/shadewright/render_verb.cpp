@@ -55,11 +55,11 @@ void run(const Flags& flags) {
   if (std::filesystem::path(flags.output).extension() == ".exr")
     render::write_exr(radiance, outcome.visibility, view.width, view.height, flags.output);
   else
-    render::write_png(render::to_picture(radiance, view.width, view.height), flags.output);
-  if (!flags.mask.empty()) render::write_png(render::to_picture(outcome.visibility, view.width, view.height), flags.mask);
+    write_png(render::to_picture(radiance, view.width, view.height), flags.output);
+  if (!flags.mask.empty()) write_png(render::to_picture(outcome.visibility, view.width, view.height), flags.mask);
   for (size_t i = 0; i < outcome.debug.size(); ++i) {
     const std::filesystem::path image(flags.output);
-    render::write_png(outcome.debug[i], image.parent_path() / (image.stem().string() + "-" + flags.debug[i] + ".png"));
+    write_png(outcome.debug[i], image.parent_path() / (image.stem().string() + "-" + flags.debug[i] + ".png"));
   }
   if (!flags.json.empty()) {
     compare::Report report = study.report();

@@ -1,8 +1,8 @@
 // What is wrong, as a picture to lay over the scene.
 #pragma once
 
-#include "compare/picture.h"
 #include "shadewright/compare/metrics.h"
+#include "shadewright/image/picture.h"
 
 namespace shadewright::compare {
 

@@ -1,32 +1,13 @@
-// A small report with every field set, for the tests of its written forms, and a folder for its pictures.
+// A small report with every field set, for the tests of its written forms.
 #pragma once
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <random>
 #include <string>
 
 #include "shadewright/compare/report.h"
 
 namespace shadewright::compare {
-
-/// A new folder, gone with this.
-struct TemporaryFolder {
-  std::filesystem::path path =
-      std::filesystem::path(testing::TempDir()) / ("compare_" + std::to_string(std::random_device{}()));
-
-  TemporaryFolder() { std::filesystem::create_directories(path); }
-  ~TemporaryFolder() { std::filesystem::remove_all(path); }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  void write(const std::string& name, const std::vector<uint8_t>& bytes) const {
-    std::ofstream(path / name, std::ios::binary)
-        .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  }
-};
 
 inline TechniqueResult example_result(const std::string& technique, const std::string& spec, uint64_t wrong) {
   TechniqueResult result;

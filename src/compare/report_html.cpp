@@ -10,8 +10,8 @@
 #include <string_view>
 
 #include "compare/changes.h"
+#include "compare/delta.h"
 #include "compare/page.h"
-#include "compare/picture.h"
 #include "shadewright/compare/report.h"
 #include "shadewright/error.h"
 

@@ -3,7 +3,8 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "compare/picture.h"
+#include "shadewright/image/picture.h"
+#include "base/temporary_folder_for_test.h"
 #include "compare/report_fixture.h"
 #include "shadewright/error.h"
 
@@ -21,11 +22,11 @@ Report report_with_pictures(const TemporaryFolder& folder) {
   answer.pixels[77] = glm::u8vec4(255, 255, 255, 255);
   Picture difference{40, 30, std::vector<glm::u8vec4>(1200, glm::u8vec4(0))};
   difference.pixels[77] = glm::u8vec4(255, 0, 0, 255);
-  folder.write("truth.png", encode_png(truth));
-  folder.write("truth_mask.png", encode_png(truth));
-  folder.write("rtw.png", encode_png(answer));
-  folder.write("rtw_mask.png", encode_png(answer));
-  folder.write("rtw_difference.png", encode_png(difference));
+  write_png(truth, folder.file("truth.png"));
+  write_png(truth, folder.file("truth_mask.png"));
+  write_png(answer, folder.file("rtw.png"));
+  write_png(answer, folder.file("rtw_mask.png"));
+  write_png(difference, folder.file("rtw_difference.png"));
   return report;
 }
 
@@ -53,7 +54,7 @@ std::vector<uint8_t> from_base64(const std::string& text) {
 TEST(ReportHtml, HoldsTheReportAndItsPictures) {
   const TemporaryFolder folder;
   const Report report = report_with_pictures(folder);
-  const Json json = data(to_html(report, folder.path));
+  const Json json = data(to_html(report, folder.path()));
   EXPECT_EQ(json["report"], Json::parse(to_json(report)));
   EXPECT_TRUE(json["changes"].is_null());
   ASSERT_EQ(json["pictures"]["results"].size(), 2u);
@@ -64,15 +65,16 @@ TEST(ReportHtml, HoldsTheReportAndItsPictures) {
   EXPECT_EQ(image["over_truth"], true);
   const std::string uri = image["uri"], head = "data:image/png;base64,";
   ASSERT_TRUE(uri.starts_with(head));
-  folder.write("embedded.png", from_base64(uri.substr(head.size())));
-  const Picture embedded = read_png(folder.path / "embedded.png");
+  const auto bytes = from_base64(uri.substr(head.size()));
+  folder.write("embedded.png", std::string(bytes.begin(), bytes.end()));
+  const Picture embedded = read_png(folder.path() / "embedded.png");
   EXPECT_EQ(embedded.pixels[76], glm::u8vec4(0));
   EXPECT_EQ(embedded.pixels[77], glm::u8vec4(255));
 }
 
 TEST(ReportHtml, RefersToNothingOutside) {
   const TemporaryFolder folder;
-  std::string html = to_html(report_with_pictures(folder), folder.path);
+  std::string html = to_html(report_with_pictures(folder), folder.path());
   for (const char* mark : {"src=\"", "href=\"", "@import", "url(", "fetch(", "{{title}}", "{{data}}"})
     EXPECT_EQ(html.find(mark), std::string::npos) << mark;
   html = std::regex_replace(html, std::regex("http://www\\.w3\\.org/2000/svg"), "");
@@ -87,7 +89,7 @@ TEST(ReportHtml, NamesAreNeverMarkup) {
   report.scene_name = report.device_name = report.results[0].technique = attack;
   report.results[0].counters[attack] = {1};
   report.notes = {attack};
-  const std::string html = to_html(report, folder.path, &report);
+  const std::string html = to_html(report, folder.path(), &report);
   EXPECT_EQ(html.find("<script>alert"), std::string::npos);
   EXPECT_EQ(html.find("<img"), std::string::npos);
   EXPECT_NE(html.find("<title>&lt;/script&gt;"), std::string::npos);
@@ -100,7 +102,7 @@ TEST(ReportHtml, ChangesAreIndicesIntoBothReports) {
   Report before = example_report();
   before.device_name = "another";
   before.results = {report.results[1], example_result("gone", "paged@32768", 5)};
-  const Json changes = data(to_html(report, folder.path, &before))["changes"];
+  const Json changes = data(to_html(report, folder.path(), &before))["changes"];
   EXPECT_EQ(changes["pairs"], Json::parse(R"([{"before": null, "after": 0}, {"before": 0, "after": 1},
                                               {"before": 1, "after": null}])"));
   EXPECT_EQ(changes["conditions"].size(), 1u);
@@ -109,7 +111,7 @@ TEST(ReportHtml, ChangesAreIndicesIntoBothReports) {
 TEST(ReportHtml, IsTheSameEveryTime) {
   const TemporaryFolder folder;
   const Report report = report_with_pictures(folder);
-  EXPECT_EQ(to_html(report, folder.path), to_html(report, folder.path));
+  EXPECT_EQ(to_html(report, folder.path()), to_html(report, folder.path()));
 }
 
 TEST(ReportHtml, AnEmptyReportIsAPage) {
@@ -121,8 +123,8 @@ TEST(ReportHtml, AnEmptyReportIsAPage) {
 TEST(ReportHtml, AMissingPictureIsNamed) {
   const TemporaryFolder folder;
   const Report report = report_with_pictures(folder);
-  std::filesystem::remove(folder.path / "rtw_mask.png");
-  EXPECT_THROW(to_html(report, folder.path), InputError);
+  std::filesystem::remove(folder.path() / "rtw_mask.png");
+  EXPECT_THROW(to_html(report, folder.path()), InputError);
 }
 
 }  // namespace

@@ -4,12 +4,10 @@
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfOutputFile.h>
-#include <png.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 
 #include "shadewright/error.h"
 #include "shadewright/files.h"
@@ -61,40 +59,21 @@ std::vector<glm::vec3> shade(std::span<const SurfacePoint> points, std::span<con
 }
 
 Picture to_picture(std::span<const glm::vec3> radiance, uint32_t width, uint32_t height) {
-  Picture picture{width, height, 3, std::vector<uint8_t>(radiance.size() * 3)};
+  Picture picture{width, height, std::vector<glm::u8vec4>(radiance.size())};
   tbb::parallel_for(size_t{0}, radiance.size(), [&](size_t i) {
-    for (int c = 0; c < 3; ++c) picture.data[3 * i + static_cast<size_t>(c)] = to_byte(srgb(tone(radiance[i][c])));
+    const glm::vec3& c = radiance[i];
+    picture.pixels[i] = {to_byte(srgb(tone(c.r))), to_byte(srgb(tone(c.g))), to_byte(srgb(tone(c.b))), 255};
   });
   return picture;
 }
 
 Picture to_picture(std::span<const float> visibility, uint32_t width, uint32_t height) {
-  Picture picture{width, height, 1, std::vector<uint8_t>(visibility.size())};
-  std::transform(visibility.begin(), visibility.end(), picture.data.begin(), to_byte);
+  Picture picture{width, height, std::vector<glm::u8vec4>(visibility.size())};
+  std::transform(visibility.begin(), visibility.end(), picture.pixels.begin(), [](float v) {
+    const uint8_t grey = to_byte(v);
+    return glm::u8vec4(grey, grey, grey, 255);
+  });
   return picture;
-}
-
-std::vector<uint8_t> encode_png(const Picture& picture) {
-  png_image image{};
-  image.version = PNG_IMAGE_VERSION;
-  image.width = picture.width;
-  image.height = picture.height;
-  image.format = picture.channels == 1 ? PNG_FORMAT_GRAY : PNG_FORMAT_RGB;
-  png_alloc_size_t bytes = PNG_IMAGE_PNG_SIZE_MAX(image);
-  std::vector<uint8_t> result(bytes);
-  if (!png_image_write_to_memory(&image, result.data(), &bytes, 0, picture.data.data(), 0, nullptr))
-    throw FailureError("PNG", image.message);
-  result.resize(bytes);
-  return result;
-}
-
-void write_png(const Picture& picture, const std::filesystem::path& file) {
-  const std::vector<uint8_t> bytes = encode_png(picture);
-  if (file == "-") {
-    std::cout.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size())).flush();
-    return;
-  }
-  write_file(file, std::as_bytes(std::span(bytes)));
 }
 
 void write_exr(std::span<const glm::vec3> radiance, std::span<const float> visibility, uint32_t width, uint32_t height,

@@ -174,7 +174,7 @@ std::optional<OracleRays> MapTechnique::oracle_rays(const Frame& frame) {
   return OracleRays{one_texel_answers ? read(origins) : std::vector<glm::vec3>{}, read(texel_u), read(texel_v)};
 }
 
-render::Picture MapTechnique::debug_picture(std::string_view name) {
+Picture MapTechnique::debug_picture(std::string_view name) {
   if (name != "shadow-map") return Technique::debug_picture(name);
   return storage_->picture();
 }

@@ -26,7 +26,7 @@ class MapTechnique final : public Technique {
   std::vector<std::string> lookup_includes() const override;
   std::optional<OracleRays> oracle_rays(const Frame& frame) override;
   std::vector<std::string> debug_names() const override { return {"shadow-map"}; }
-  render::Picture debug_picture(std::string_view name) override;
+  Picture debug_picture(std::string_view name) override;
 
  private:
   uint32_t slot(const Frame& frame) const { return static_cast<uint32_t>(frame.index % options_.frames_in_flight); }

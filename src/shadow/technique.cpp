@@ -12,7 +12,7 @@ void Technique::record(const Frame& frame, VkCommandBuffer commands) {
   record(frame, recorder);
 }
 
-render::Picture Technique::debug_picture(std::string_view name) {
+Picture Technique::debug_picture(std::string_view name) {
   throw InputError(fmt::format("--debug {}", name), "this technique has no debug image of that name",
                    fmt::format("its debug images: {}", fmt::join(debug_names(), ", ")));
 }

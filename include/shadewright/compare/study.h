@@ -29,7 +29,8 @@ struct StudyOptions {
 struct Outcome {
   TechniqueResult result;         ///< picture names empty
   std::vector<float> visibility;  ///< 0..1, row by row
-  std::vector<render::Picture> debug;  ///< as asked for
+  Picture difference;             ///< false shadow red, false lit blue, else transparent; empty without reference
+  std::vector<Picture> debug;  ///< as asked for
 };
 
 class Study {
@@ -55,9 +56,6 @@ class Study {
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
-
-/// False shadow red, false lit blue, over the grey shaded truth.
-render::Picture difference_picture(const Study& study, std::span<const float> visibility);
 
 /// Runs every spec, writes pictures, report.json, report.csv and index.html into `folder` (made if need be), and returns the
 /// report. `before` adds what changed against an earlier one.

@@ -108,7 +108,7 @@ class Technique {
 
   /// Pictures that show how the technique works, by name, of the last recorded frame. InputError for an unknown name.
   virtual std::vector<std::string> debug_names() const { return {}; }
-  virtual render::Picture debug_picture(std::string_view name);
+  virtual Picture debug_picture(std::string_view name);
 
  protected:
   explicit Technique(const gpu::Device& device) : device_(device) {}

@@ -24,29 +24,14 @@ std::string file_stem(std::string_view spec, std::set<std::string>& taken) {
 
 }  // namespace
 
-render::Picture difference_picture(const Study& study, std::span<const float> visibility) {
-  const auto reference = study.reference();
-  const std::vector<float> truth(reference.begin(), reference.end());
-  render::Picture picture = render::to_picture(study.shade(truth), study.report().width, study.report().height);
-  for (size_t i = 0; i < truth.size(); ++i) {
-    uint8_t* pixel = &picture.data[3 * i];
-    const auto grey = static_cast<uint8_t>(0.5 * (0.30 * pixel[0] + 0.59 * pixel[1] + 0.11 * pixel[2]) + 64);
-    const bool lit = visibility[i] >= 0.5f, lit_in_truth = truth[i] >= 0.5f;
-    const bool compared = study.points()[i].valid();
-    const uint8_t red[3] = {230, 40, 30}, blue[3] = {40, 90, 240}, neutral[3] = {grey, grey, grey};
-    std::copy_n(!compared || lit == lit_in_truth ? neutral : lit_in_truth ? red : blue, 3, pixel);
-  }
-  return picture;
-}
-
 Report compare_techniques(Study& study, std::span<const shadow::Spec> specs, const std::filesystem::path& folder, const Report* before,
                           const Progress& progress) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw FailureError(folder.string(), "can't be made (" + error.message() + ")", "choose another place with -o");
   Report report = study.report();
-  const auto write = [&](const render::Picture& picture, std::string name) {
-    render::write_png(picture, folder / name);
+  const auto write = [&](const Picture& picture, std::string name) {
+    write_png(picture, folder / name);
     return name;
   };
   const std::vector<float> truth(study.reference().begin(), study.reference().end());
@@ -60,7 +45,7 @@ Report compare_techniques(Study& study, std::span<const shadow::Spec> specs, con
     const std::string stem = file_stem(specs[i].text, stems);
     outcome.result.image = write(render::to_picture(study.shade(outcome.visibility), report.width, report.height), stem + ".png");
     outcome.result.mask = write(render::to_picture(outcome.visibility, report.width, report.height), stem + "-mask.png");
-    outcome.result.difference = write(difference_picture(study, outcome.visibility), stem + "-difference.png");
+    outcome.result.difference = write(outcome.difference, stem + "-difference.png");
     report.results.push_back(std::move(outcome.result));
   }
   progress("report", 1);

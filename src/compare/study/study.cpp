@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 
+#include "compare/difference.h"
 #include "shadewright/compare/metrics.h"
 #include "shadewright/raytrace/tracer.h"
 
@@ -160,6 +161,7 @@ struct Study::Impl {
       input.texel_v = oracle->texel_v;
     }
     outcome.result.error = measure_error(input, *tracer, light);
+    outcome.difference = difference_picture(input);
   }
 
   /// What a perfect map of this resolution would answer: free sight from the rays' origins to the light.

@@ -61,7 +61,7 @@ void DepthStorage::draw_view(const vk::raii::CommandBuffer& commands, const Fram
   commands.endRendering();
 }
 
-render::Picture DepthStorage::picture() {
+Picture DepthStorage::picture() {
   const gpu::ImageDesc& desc = map_.desc();
   std::vector<float> brightness;
   for (uint32_t layer = 0; layer < desc.layers; ++layer) {

@@ -20,7 +20,7 @@ class DepthStorage {
   void record(const Frame& frame, uint32_t slot, std::span<const MapView> views, vk::DescriptorSet lookup_set, gpu::Recorder& recorder);
 
   /// The map as a picture, near bright and empty black, six faces one below the other. Waits.
-  render::Picture picture();
+  Picture picture();
   const gpu::Image& map() const { return map_; }
   std::vector<gpu::Allocation> allocations() const;
 

@@ -1,12 +1,15 @@
-#include "compare/picture.h"
+#include "shadewright/image/picture.h"
 
 #include <png.h>
 
 #include <algorithm>
+#include <iostream>
+#include <span>
 
 #include "shadewright/error.h"
+#include "shadewright/files.h"
 
-namespace shadewright::compare {
+namespace shadewright {
 namespace {
 
 static_assert(sizeof(glm::u8vec4) == 4, "pixels are handed to libpng as they are");
@@ -19,11 +22,11 @@ struct PngImage : png_image {
   PngImage& operator=(const PngImage&) = delete;
 };
 
+}  // namespace
+
 bool opaque(const Picture& picture) {
   return std::all_of(picture.pixels.begin(), picture.pixels.end(), [](const glm::u8vec4& p) { return p.a == 255; });
 }
-
-}  // namespace
 
 Picture read_png(const std::filesystem::path& path) {
   PngImage png;
@@ -62,15 +65,10 @@ std::vector<uint8_t> encode_png(const Picture& picture) {
   return bytes;
 }
 
-bool has_delta(const Picture& picture, const Picture& base) {
-  return picture.width == base.width && picture.height == base.height && opaque(picture) && opaque(base);
+void write_png(const Picture& picture, const std::filesystem::path& file) {
+  const std::vector<uint8_t> bytes = encode_png(picture);
+  if (file != "-") return write_file(file, std::as_bytes(std::span(bytes)));
+  std::cout.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size())).flush();
 }
 
-Picture delta(const Picture& picture, const Picture& base) {
-  Picture result = picture;
-  for (size_t i = 0; i < result.pixels.size(); ++i)
-    if (picture.pixels[i] == base.pixels[i]) result.pixels[i] = glm::u8vec4(0);
-  return result;
-}
-
-}  // namespace shadewright::compare
+}  // namespace shadewright
