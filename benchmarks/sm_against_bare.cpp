@@ -1,5 +1,6 @@
-// sm@2048 at 1080p against the least that a shadow map can cost on the same device: one draw of all triangles in world space
-// and a one-tap look-up. Usage: sm_against_bare [SCENE] [REPEATS]. Both take turns, so that a busy machine slows them alike.
+// sm@2048 at 1080p against the least that a shadow map can cost on the same device: one draw of all triangles in world
+// space and a one-tap look-up. Usage: sm_against_bare [SCENE] [REPEATS]. Both take turns, so that a busy machine slows
+// them alike.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,7 +32,8 @@ struct FlatScene {
       const Mesh& mesh = scene.meshes[instance.mesh];
       const auto base = static_cast<uint32_t>(positions.size());
       const glm::dmat4 world_from_mesh = transform_at(scene, instance, 0);
-      for (const glm::vec3& p : mesh.positions) positions.emplace_back(world_from_mesh * glm::dvec4(glm::dvec3(p), 1.0));
+      for (const glm::vec3& p : mesh.positions)
+        positions.emplace_back(world_from_mesh * glm::dvec4(glm::dvec3(p), 1.0));
       for (const glm::uvec3& t : mesh.triangles)
         for (int k = 0; k < 3; ++k) indices.push_back(base + t[k]);
     }
@@ -56,16 +58,18 @@ class BareShadowMap {
     desc.vertex_attributes = {{0, 0, vk::Format::eR32G32B32Sfloat, 0}};
     draw_ = gpu::GraphicsPass(device, desc);
     using enum gpu::BindingKind;
-    lookup_ = gpu::ComputePass(device, shaders::bare_lookup_comp, {uniform_buffer, sampled_image, sampled_image, storage_image},
-                               sizeof(glm::mat4));
+    lookup_ = gpu::ComputePass(device, shaders::bare_lookup_comp,
+                               {uniform_buffer, sampled_image, sampled_image, storage_image}, sizeof(glm::mat4));
   }
 
-  void record(gpu::Recorder& recorder, const render::CameraView& view, vk::ImageView camera_depth, const glm::mat4& clip_from_world) {
+  void record(gpu::Recorder& recorder, const render::CameraView& view, vk::ImageView camera_depth,
+              const glm::mat4& clip_from_world) {
     camera_.mapped<shared::CameraData>()[0] = render::camera_data(view);
     recorder.stage("bare map", [&](const vk::raii::CommandBuffer& commands) {
       map_.transition(commands, vk::ImageLayout::eDepthAttachmentOptimal, true);
-      const vk::RenderingAttachmentInfo depth(map_.view(), vk::ImageLayout::eDepthAttachmentOptimal, {}, {}, {}, vk::AttachmentLoadOp::eClear,
-                                              vk::AttachmentStoreOp::eStore, vk::ClearDepthStencilValue(1.0f, 0));
+      const vk::RenderingAttachmentInfo depth(map_.view(), vk::ImageLayout::eDepthAttachmentOptimal, {}, {}, {},
+                                              vk::AttachmentLoadOp::eClear, vk::AttachmentStoreOp::eStore,
+                                              vk::ClearDepthStencilValue(1.0f, 0));
       vk::RenderingInfo rendering({}, {{0, 0}, map_.extent()}, 1);
       rendering.pDepthAttachment = &depth;
       commands.beginRendering(rendering);
@@ -147,7 +151,9 @@ int main(int argc, char** argv) {
     theirs.push_back(bare_ms);
   }
   for (const auto& [name, times] : stages) fmt::print("{:<20} {:8.2f} ms\n", name, median(times));
-  fmt::print("{} triangles, {} clusters: sm {:.1f} ms, bare {:.1f} ms, ratio {:.3f}; with the camera pass {:.3f} of the camera pass alone\n",
-             scene_gpu.triangle_count(), scene_gpu.cluster_count(), median(ours), median(theirs), median(ours) / median(theirs),
-             (median(cameras) + median(ours)) / median(cameras));
+  fmt::print(
+      "{} triangles, {} clusters: sm {:.1f} ms, bare {:.1f} ms, ratio {:.3f}; with the camera pass {:.3f} of the "
+      "camera pass alone\n",
+      scene_gpu.triangle_count(), scene_gpu.cluster_count(), median(ours), median(theirs),
+      median(ours) / median(theirs), (median(cameras) + median(ours)) / median(cameras));
 }

@@ -25,7 +25,7 @@ function(shadewright_install_headers)
 endfunction()
 
 shadewright_install_component(core)
-shadewright_install_headers(error.h files.h progress.h geometry image raytrace scene voxel)
+shadewright_install_headers(allocation.h error.h files.h progress.h geometry image raytrace scene voxel)
 
 if(SHADEWRIGHT_RENDER)
   shadewright_install_component(render)

@@ -31,16 +31,21 @@ compare::Report read_report(const std::string& file) {
   return compare::from_json({std::istreambuf_iterator<char>(stream), {}}, file);
 }
 
-std::string truncated(const std::string& text, size_t width) { return text.size() <= width ? text : text.substr(0, width - 1) + "~"; }
+std::string truncated(const std::string& text, size_t width) {
+  return text.size() <= width ? text : text.substr(0, width - 1) + "~";
+}
 
 void print_table(const compare::Report& report) {
-  fmt::print("{}, {}x{}, {} ({:.1f} % lit in truth, camera pass {:.1f} ms, one shadow ray a pixel {:.1f} ms)\n", report.scene_name, report.width,
-             report.height, report.device_name, 100 * report.reference_lit_fraction, report.camera_pass_milliseconds, report.reference_milliseconds);
-  fmt::print("{:<34} {:>8} {:>9} {:>9} {:>8} {:>9} {:>9} {:>8}\n", "technique", "wrong %", "edge %", "f.shadow", "f.lit", "ms", "frame ms", "MB");
+  fmt::print("{}, {}x{}, {} ({:.1f} % lit in truth, camera pass {:.1f} ms, one shadow ray a pixel {:.1f} ms)\n",
+             report.scene_name, report.width, report.height, report.device_name, 100 * report.reference_lit_fraction,
+             report.camera_pass_milliseconds, report.reference_milliseconds);
+  fmt::print("{:<34} {:>8} {:>9} {:>9} {:>8} {:>9} {:>9} {:>8}\n", "technique", "wrong %", "edge %", "f.shadow",
+             "f.lit", "ms", "frame ms", "MB");
   for (const auto& result : report.results)
-    fmt::print("{:<34} {:>8.3f} {:>9.2f} {:>9} {:>8} {:>9.1f} {:>9.1f} {:>8.1f}\n", truncated(result.technique, 34), 100 * result.error.fraction,
-               100 * result.error.boundary_fraction, result.error.false_shadow, result.error.false_lit, result.milliseconds.median,
-               result.frame_milliseconds, static_cast<double>(result.memory_bytes()) / 1e6);
+    fmt::print("{:<34} {:>8.3f} {:>9.2f} {:>9} {:>8} {:>9.1f} {:>9.1f} {:>8.1f}\n", truncated(result.technique, 34),
+               100 * result.error.fraction, 100 * result.error.boundary_fraction, result.error.false_shadow,
+               result.error.false_lit, result.milliseconds.median, result.frame_milliseconds,
+               static_cast<double>(result.memory_bytes()) / 1e6);
 }
 
 void run(const Flags& flags) {
@@ -56,7 +61,8 @@ void run(const Flags& flags) {
   const compare::StudyOptions options{view.width, view.height, flags.scene.repeat, flags.scene.reference_samples, true};
   compare::Study study(device, view.scene, view.camera, view.light, options, progress.callback());
   study.add_notes(view.notes);
-  const compare::Report report = compare::compare_techniques(study, specs, flags.output, before ? &*before : nullptr, progress.callback());
+  const compare::Report report =
+      compare::compare_techniques(study, specs, flags.output, before ? &*before : nullptr, progress.callback());
   progress.clear();
   check_validation(device);
   if (flags.scene.quiet) return;
@@ -71,8 +77,11 @@ void add_compare(CLI::App& app) {
   auto flags = std::make_shared<Flags>();
   CLI::App* verb = app.add_subcommand("compare", "Hold techniques against ray tracing: error, time, memory, pictures");
   flags->scene.add_to(*verb);
-  verb->add_option("-t,--technique", flags->techniques, "A technique as a SPEC, or a sweep like sm@512..4096; repeatable")->take_all();
-  verb->add_option("-o,--output", flags->output, "Folder for index.html, report.json, report.csv and pictures")->required();
+  verb->add_option("-t,--technique", flags->techniques,
+                   "A technique as a SPEC, or a sweep like sm@512..4096; repeatable")
+      ->take_all();
+  verb->add_option("-o,--output", flags->output, "Folder for index.html, report.json, report.csv and pictures")
+      ->required();
   verb->add_option("--against", flags->against, "An earlier report.json: tell what changed");
   verb->footer("Example: shadewright compare builtin:sandbox -t sm@512..4096 -t pcf@2048 -o out/sandbox");
   verb->callback([flags] { run(*flags); });

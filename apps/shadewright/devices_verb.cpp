@@ -12,8 +12,8 @@ void add_devices(CLI::App& app) {
   verb->callback([] {
     const uint32_t picked = gpu::Device().info().index;
     for (const gpu::DeviceInfo& info : gpu::Device::list())
-      fmt::print("{} {} {} ({}, {}){}\n", info.index == picked ? "*" : " ", info.index, info.name, gpu::to_string(info.type), info.driver,
-                 info.unusable.empty() ? "" : ": " + info.unusable);
+      fmt::print("{} {} {} ({}, {}){}\n", info.index == picked ? "*" : " ", info.index, info.name,
+                 gpu::to_string(info.type), info.driver, info.unusable.empty() ? "" : ": " + info.unusable);
   });
 }
 

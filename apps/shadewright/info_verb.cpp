@@ -23,7 +23,8 @@ void run(const std::string& file, const std::string& json) {
     for (size_t i = 0; i < shadow.dags().size(); ++i) {
       nlohmann::ordered_json levels = nlohmann::ordered_json::array();
       for (const auto& level : voxel::count_levels(shadow, i))
-        levels.push_back({{"height", level.height}, {"unmerged", level.unmerged}, {"merged", level.merged}, {"bytes", level.bytes}});
+        levels.push_back(
+            {{"height", level.height}, {"unmerged", level.unmerged}, {"merged", level.merged}, {"bytes", level.bytes}});
       dags.push_back({{"resolution", 1u << shadow.dags()[i].log2_size}, {"levels", levels}});
     }
     const nlohmann::ordered_json text = {{"schema", "shadewright.info/1"},
@@ -40,16 +41,21 @@ void run(const std::string& file, const std::string& json) {
                                          {"dags", dags}};
     return write_text(text.dump(2) + "\n", json);
   }
-  fmt::print("{}: {} light, {}x{}x{} voxels of {:.4g} x {:.4g} m{}\n", file, kind, p.light.size(), p.light.size(), p.light.depth(),
-             p.light.texel_size.x, p.light.texel_size.y, p.light.kind == LightKind::spot ? " at 1 m" : "");
+  fmt::print("{}: {} light, {}x{}x{} voxels of {:.4g} x {:.4g} m{}\n", file, kind, p.light.size(), p.light.size(),
+             p.light.depth(), p.light.texel_size.x, p.light.texel_size.y,
+             p.light.kind == LightKind::spot ? " at 1 m" : "");
   fmt::print("filters up to {}x{}; {}; {}\n", p.max_filter, p.max_filter,
              p.static_receivers ? "for the static scene's own surfaces only" : "for any receiver",
-             shadow.dags().size() > 1 ? fmt::format("{} lower resolutions for distant receivers", shadow.dags().size() - 1) : "no lower resolutions");
-  fmt::print("{:.2f} MB ({:.4f} % of a 16-bit map) and a grid of {:.2f} MB\n", static_cast<double>(shadow.dag_bytes()) / 1e6,
-             100.0 * static_cast<double>(shadow.dag_bytes()) / map_bytes, static_cast<double>(shadow.grid_bytes()) / 1e6);
+             shadow.dags().size() > 1
+                 ? fmt::format("{} lower resolutions for distant receivers", shadow.dags().size() - 1)
+                 : "no lower resolutions");
+  fmt::print("{:.2f} MB ({:.4f} % of a 16-bit map) and a grid of {:.2f} MB\n",
+             static_cast<double>(shadow.dag_bytes()) / 1e6, 100.0 * static_cast<double>(shadow.dag_bytes()) / map_bytes,
+             static_cast<double>(shadow.grid_bytes()) / 1e6);
   fmt::print("{:>10} {:>14} {:>12} {:>12}\n", "node side", "in the tree", "merged", "bytes");
   for (const auto& level : voxel::count_levels(shadow))
-    fmt::print("{:>10} {:>14.0f} {:>12} {:>12}\n", level.height == 0 ? "leaf" : std::to_string(1u << level.height), level.unmerged, level.merged, level.bytes);
+    fmt::print("{:>10} {:>14.0f} {:>12} {:>12}\n", level.height == 0 ? "leaf" : std::to_string(1u << level.height),
+               level.unmerged, level.merged, level.bytes);
 }
 
 }  // namespace

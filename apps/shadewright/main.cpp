@@ -32,14 +32,16 @@ int main(int argc, char** argv) {
   shadewright::app::add_devices(app);
   if (argc > 1)
     for (const char* verb : later_verbs)
-      if (std::string_view(argv[1]) == verb) return fail(fmt::format("'{}' is not built yet; see shadewright --help for what is", verb), 2);
+      if (std::string_view(argv[1]) == verb)
+        return fail(fmt::format("'{}' is not built yet; see shadewright --help for what is", verb), 2);
   try {
     app.parse(argc, argv);
     return 0;
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    return fail(fmt::format("{}; see shadewright {} --help", error.what(), argc > 1 && argv[1][0] != '-' ? argv[1] : ""), 2);
+    return fail(
+        fmt::format("{}; see shadewright {} --help", error.what(), argc > 1 && argv[1][0] != '-' ? argv[1] : ""), 2);
   } catch (const shadewright::InputError& error) {
     return fail(error.what(), 2);
   } catch (const shadewright::app::Interrupted&) {

@@ -25,7 +25,8 @@ std::array<double, N> parse_numbers(const std::string& flag, const std::string& 
     const auto [next, error] = std::from_chars(at, end, values[i]);
     const bool last = i + 1 == N;
     if (error != std::errc() || !std::isfinite(values[i]) || (last ? next != end : next == end || *next != ','))
-      throw InputError(fmt::format("{} {}", flag, text), "it does not have the form", fmt::format("write {} {}", flag, shape));
+      throw InputError(fmt::format("{} {}", flag, text), "it does not have the form",
+                       fmt::format("write {} {}", flag, shape));
     at = next + (last ? 0 : 1);
   }
   return values;
@@ -42,15 +43,18 @@ void parse_size(const std::string& text, View& view) {
   const char* const end = at + text.size();
   for (int i = 0; i < 2; ++i) {
     const auto [next, error] = std::from_chars(at, end, *parts[i]);
-    if (error != std::errc() || *parts[i] == 0 || *parts[i] > 16384 || (i == 0 ? next == end || *next != 'x' : next != end))
+    if (error != std::errc() || *parts[i] == 0 || *parts[i] > 16384 ||
+        (i == 0 ? next == end || *next != 'x' : next != end))
       throw InputError("--size " + text, "it is not WxH with both from 1 to 16384", "write --size 1920x1080");
     at = next + (i == 0 ? 1 : 0);
   }
 }
 
 Camera choose_camera(const SceneFlags& flags, const Scene& scene, std::vector<std::string>& notes) {
-  if (!flags.camera.empty() && !flags.eye.empty()) throw InputError("--camera", "it can't be given with --eye", "give one of them");
-  if (flags.eye.empty() != flags.target.empty()) throw InputError("--eye", "--eye and --target go together", "give both");
+  if (!flags.camera.empty() && !flags.eye.empty())
+    throw InputError("--camera", "it can't be given with --eye", "give one of them");
+  if (flags.eye.empty() != flags.target.empty())
+    throw InputError("--eye", "--eye and --target go together", "give both");
   Camera camera;
   if (!flags.camera.empty()) {
     camera = find_camera(scene, flags.camera);
@@ -58,15 +62,18 @@ Camera choose_camera(const SceneFlags& flags, const Scene& scene, std::vector<st
     camera.name = "eye";
     camera.eye = parse_point("--eye", flags.eye) - scene.origin;
     camera.target = parse_point("--target", flags.target) - scene.origin;
-    if (camera.eye == camera.target) throw InputError("--target " + flags.target, "it is the same point as --eye", "look elsewhere");
+    if (camera.eye == camera.target)
+      throw InputError("--target " + flags.target, "it is the same point as --eye", "look elsewhere");
   } else if (!scene.cameras.empty()) {
     camera = scene.cameras.front();
-    if (scene.cameras.size() > 1) notes.push_back(fmt::format("camera '{}', the first of {}", camera.name, scene.cameras.size()));
+    if (scene.cameras.size() > 1)
+      notes.push_back(fmt::format("camera '{}', the first of {}", camera.name, scene.cameras.size()));
   } else {
     camera = default_camera(scene);
     const glm::dvec3 eye = camera.eye + scene.origin, target = camera.target + scene.origin;
-    notes.push_back(fmt::format("the scene has no camera: --eye {:.5g},{:.5g},{:.5g} --target {:.5g},{:.5g},{:.5g} was chosen", eye.x, eye.y,
-                                eye.z, target.x, target.y, target.z));
+    notes.push_back(
+        fmt::format("the scene has no camera: --eye {:.5g},{:.5g},{:.5g} --target {:.5g},{:.5g},{:.5g} was chosen",
+                    eye.x, eye.y, eye.z, target.x, target.y, target.z));
   }
   if (flags.fov != 0) camera.fov_y = glm::radians(flags.fov);
   return camera;
@@ -75,15 +82,18 @@ Camera choose_camera(const SceneFlags& flags, const Scene& scene, std::vector<st
 }  // namespace
 
 Light choose_light(const LightFlags& flags, const Scene& scene, std::vector<std::string>& notes) {
-  if (!flags.light.empty() && !flags.sun.empty()) throw InputError("--light", "it can't be given with --sun", "give one of them");
+  if (!flags.light.empty() && !flags.sun.empty())
+    throw InputError("--light", "it can't be given with --sun", "give one of them");
   if (!flags.light.empty()) return find_light(scene, flags.light);
   if (!flags.sun.empty()) {
     const auto angles = parse_numbers<2>("--sun", flags.sun, "AZIMUTH,ELEVATION");
-    if (std::abs(angles[1]) > 90) throw InputError("--sun " + flags.sun, "the elevation is beyond 90 degrees", "give -90 to 90");
+    if (std::abs(angles[1]) > 90)
+      throw InputError("--sun " + flags.sun, "the elevation is beyond 90 degrees", "give -90 to 90");
     return sun(angles[0], angles[1]);
   }
   if (!scene.lights.empty()) {
-    if (scene.lights.size() > 1) notes.push_back(fmt::format("light '{}', the first of {}", scene.lights.front().name, scene.lights.size()));
+    if (scene.lights.size() > 1)
+      notes.push_back(fmt::format("light '{}', the first of {}", scene.lights.front().name, scene.lights.size()));
     return scene.lights.front();
   }
   notes.push_back("the scene has no light: --sun 35,45 was chosen");
@@ -93,7 +103,9 @@ Light choose_light(const LightFlags& flags, const Scene& scene, std::vector<std:
 Box parse_bounds(const std::string& flag, const std::string& text) {
   const auto v = parse_numbers<6>(flag, text, "X0,Y0,Z0,X1,Y1,Z1");
   const Box box{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
-  if (box.empty()) throw InputError(fmt::format("{} {}", flag, text), "a lower corner lies above the upper one", "give the lower corner first");
+  if (box.empty())
+    throw InputError(fmt::format("{} {}", flag, text), "a lower corner lies above the upper one",
+                     "give the lower corner first");
   return box;
 }
 
@@ -117,8 +129,12 @@ void SceneFlags::add_to(CLI::App& verb) {
   verb.add_option("--fov", fov, "Full vertical field of view, degrees")->check(CLI::Range(1.0, 160.0));
   light.add_to(verb);
   verb.add_option("--size", size, "Image size WxH in pixels")->capture_default_str();
-  verb.add_option("--repeat", repeat, "Timed repeats after warm-up")->capture_default_str()->check(CLI::Range(0, 10000));
-  verb.add_option("--reference-samples", reference_samples, "Samples a pixel of the filtered reference")->capture_default_str()->check(CLI::Range(0, 1024));
+  verb.add_option("--repeat", repeat, "Timed repeats after warm-up")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 10000));
+  verb.add_option("--reference-samples", reference_samples, "Samples a pixel of the filtered reference")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 1024));
   verb.add_option("--path", path, "A camera path of the scene (not built yet)");
   verb.add_option("--frames", frames, "Frames along the path (not built yet)");
   verb.add_option("--device", device, "Device by index or part of its name (see shadewright devices)");
@@ -129,7 +145,8 @@ void SceneFlags::add_to(CLI::App& verb) {
 
 View load_view(const SceneFlags& flags, ProgressBar& progress) {
   if (!flags.path.empty() || flags.frames != 0)
-    throw InputError("--path " + flags.path, "camera paths and flicker are not built yet", "leave --path and --frames out");
+    throw InputError("--path " + flags.path, "camera paths and flicker are not built yet",
+                     "leave --path and --frames out");
   View view;
   parse_size(flags.size, view);
   LoadedScene loaded = load_scene(flags.scene, progress.callback());
@@ -141,17 +158,20 @@ View load_view(const SceneFlags& flags, ProgressBar& progress) {
   if (!flags.quiet)
     for (const std::string& note : view.notes) fmt::print(stderr, "{}\n", note);
   if (flags.verbose)
-    fmt::print(stderr, "{}: {} triangles, {} meshes, {} instances\n", view.scene.name, triangle_count(view.scene), view.scene.meshes.size(),
-               view.scene.instances.size());
+    fmt::print(stderr, "{}: {} triangles, {} meshes, {} instances\n", view.scene.name, triangle_count(view.scene),
+               view.scene.meshes.size(), view.scene.instances.size());
   return view;
 }
 
-gpu::DeviceOptions device_options(const SceneFlags& flags) { return {flags.device, flags.validation}; }
+gpu::DeviceOptions device_options(const SceneFlags& flags) {
+  return {flags.device, flags.validation};
+}
 
 void check_validation(const gpu::Device& device) {
   const auto messages = device.validation_messages();
   if (!messages.empty())
-    throw FailureError("validation layer", fmt::format("{} messages, the first: {}", messages.size(), messages.front()));
+    throw FailureError("validation layer",
+                       fmt::format("{} messages, the first: {}", messages.size(), messages.front()));
 }
 
 }  // namespace shadewright::app

@@ -7,9 +7,12 @@
 
 namespace shadewright::app {
 
-ProgressBar::ProgressBar(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1), start_(std::chrono::steady_clock::now()) {}
+ProgressBar::ProgressBar(bool quiet)
+    : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1), start_(std::chrono::steady_clock::now()) {}
 
-ProgressBar::~ProgressBar() { clear(); }
+ProgressBar::~ProgressBar() {
+  clear();
+}
 
 Progress ProgressBar::callback() {
   return [this](std::string_view task, double fraction) { show(task, fraction); };
@@ -31,10 +34,12 @@ void ProgressBar::show(std::string_view task, double fraction) {
   }
   if (task == task_ && fraction - shown_ < 0.002 && fraction < 1) return;
   const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  const std::string left = fraction > 0.02 && elapsed > 1 ? fmt::format("  {:.0f} s left", elapsed * (1 - fraction) / fraction) : "";
+  const std::string left =
+      fraction > 0.02 && elapsed > 1 ? fmt::format("  {:.0f} s left", elapsed * (1 - fraction) / fraction) : "";
   constexpr int width = 30;
   const int filled = static_cast<int>(fraction * width);
-  fmt::print(stderr, "\r\033[K[{:#<{}}{:.<{}}] {:3.0f} % {}{}", "", filled, "", width - filled, 100 * fraction, task, left);
+  fmt::print(stderr, "\r\033[K[{:#<{}}{:.<{}}] {:3.0f} % {}{}", "", filled, "", width - filled, 100 * fraction, task,
+             left);
   std::fflush(stderr);
   task_ = task;
   shown_ = fraction;

@@ -25,8 +25,10 @@ SurfacePoint parse_point(const std::string& line, size_t number) {
   while (true) {
     while (at != end && (*at == ' ' || *at == '\t' || *at == '\r')) ++at;
     if (at == end) break;
-    const auto [next, error] = count < 6 ? std::from_chars(at, end, values[count]) : std::from_chars_result{at, std::errc::invalid_argument};
-    if (error != std::errc() || !std::isfinite(values[count]) || (next != end && *next != ' ' && *next != '\t' && *next != '\r')) {
+    const auto [next, error] =
+        count < 6 ? std::from_chars(at, end, values[count]) : std::from_chars_result{at, std::errc::invalid_argument};
+    if (error != std::errc() || !std::isfinite(values[count]) ||
+        (next != end && *next != ' ' && *next != '\t' && *next != '\r')) {
       count = -1;
       break;
     }
@@ -34,7 +36,8 @@ SurfacePoint parse_point(const std::string& line, size_t number) {
     at = next;
   }
   if (count != 3 && count != 6)
-    throw InputError(fmt::format("line {} of standard input", number), fmt::format("'{}' is not a point", line), "write x y z, or x y z nx ny nz");
+    throw InputError(fmt::format("line {} of standard input", number), fmt::format("'{}' is not a point", line),
+                     "write x y z, or x y z nx ny nz");
   return {{values[0], values[1], values[2]}, {values[3], values[4], values[5]}};
 }
 
@@ -67,8 +70,11 @@ void add_query(CLI::App& app) {
   auto taps = std::make_shared<uint32_t>(1);
   CLI::App* verb = app.add_subcommand("query", "Ask a .cpvs file for the visibility of world points");
   verb->add_option("FILE", *file, "FILE.cpvs")->required();
-  verb->add_option("--filter", *taps, "Filter width in voxels: 1, 3, .. 17 (at most what was baked)")->capture_default_str();
-  verb->footer("Reads \"x y z [nx ny nz]\" a line on standard input, writes visibility 0..1 a line.\nExample: echo \"0 1 0  0 1 0\" | shadewright query sun.cpvs --filter 9");
+  verb->add_option("--filter", *taps, "Filter width in voxels: 1, 3, .. 17 (at most what was baked)")
+      ->capture_default_str();
+  verb->footer(
+      "Reads \"x y z [nx ny nz]\" a line on standard input, writes visibility 0..1 a line.\nExample: echo \"0 1 0  0 1 "
+      "0\" | shadewright query sun.cpvs --filter 9");
   verb->callback([file, taps] { run(*file, *taps); });
 }
 

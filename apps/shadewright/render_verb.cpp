@@ -24,12 +24,14 @@ struct Flags {
 void check_image_name(const std::string& flag, const std::string& name, bool exr) {
   const std::string ending = std::filesystem::path(name).extension();
   if (name == "-" || ending == ".png" || (exr && ending == ".exr")) return;
-  throw InputError(flag + " " + name, exr ? "it ends in neither .png nor .exr" : "it does not end in .png", "name the file so");
+  throw InputError(flag + " " + name, exr ? "it ends in neither .png nor .exr" : "it does not end in .png",
+                   "name the file so");
 }
 
 void list_debug_images(const shadow::Spec& spec, const SceneFlags& flags) {
   const gpu::Device device(device_options(flags));
-  for (const std::string& name : shadow::make_technique(device, spec, {16, 16, 1, true})->debug_names()) fmt::print("{}\n", name);
+  for (const std::string& name : shadow::make_technique(device, spec, {16, 16, 1, true})->debug_names())
+    fmt::print("{}\n", name);
 }
 
 void run(const Flags& flags) {
@@ -38,7 +40,8 @@ void run(const Flags& flags) {
   if (!flags.mask.empty()) check_image_name("--mask", flags.mask, false);
   const bool list_debug = flags.debug == std::vector<std::string>{"list"};
   if (list_debug) return list_debug_images(spec, flags.scene);
-  if (!flags.debug.empty() && flags.output == "-") throw InputError("-o -", "debug images stand beside the image", "name a file");
+  if (!flags.debug.empty() && flags.output == "-")
+    throw InputError("-o -", "debug images stand beside the image", "name a file");
 
   ProgressBar progress(flags.scene.quiet);
   const View view = load_view(flags.scene, progress);
@@ -78,12 +81,16 @@ void add_render(CLI::App& app) {
   verb->add_option("-t,--technique", flags->technique, "The technique, as a SPEC (see --help-spec)")->required();
   verb->add_option("-o,--output", flags->output, "IMAGE.png or .exr; - is standard output (PNG)")->required();
   verb->add_option("--mask", flags->mask, "Also write the visibility, MASK.png");
-  verb->add_option("--json", flags->json, "Also measure against ray tracing and write the figures; - is standard output");
+  verb->add_option("--json", flags->json,
+                   "Also measure against ray tracing and write the figures; - is standard output");
   verb->add_option("--debug", flags->debug, "Also write a debug image of the technique; 'list' names them");
-  verb->add_flag_callback("--help-spec", [] {
-    fmt::print("{}", shadow::spec_help());
-    throw CLI::Success();
-  }, "Print aliases, parts and keys of a SPEC");
+  verb->add_flag_callback(
+      "--help-spec",
+      [] {
+        fmt::print("{}", shadow::spec_help());
+        throw CLI::Success();
+      },
+      "Print aliases, parts and keys of a SPEC");
   verb->footer("Example: shadewright render builtin:chess -t pcf@2048 -o chess.png");
   verb->callback([flags] { run(*flags); });
 }

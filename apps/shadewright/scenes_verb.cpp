@@ -28,12 +28,14 @@ std::string names(const std::vector<Named>& things) {
 }
 
 void run(const std::string& name, const std::string& output) {
-  if (name.empty() && !output.empty()) throw InputError("-o " + output, "no scene is named", "write shadewright scenes NAME -o " + output);
+  if (name.empty() && !output.empty())
+    throw InputError("-o " + output, "no scene is named", "write shadewright scenes NAME -o " + output);
   if (name.empty()) return list();
   const Scene scene = make_builtin(name);
   if (!output.empty()) return write_glb(scene, output);
-  fmt::print("{}: {} triangles in {} instances of {} meshes\ncameras: {}\nlights: {}\npaths: {}\n", scene.name, triangle_count(scene),
-             scene.instances.size(), scene.meshes.size(), names(scene.cameras), names(scene.lights), names(scene.paths));
+  fmt::print("{}: {} triangles in {} instances of {} meshes\ncameras: {}\nlights: {}\npaths: {}\n", scene.name,
+             triangle_count(scene), scene.instances.size(), scene.meshes.size(), names(scene.cameras),
+             names(scene.lights), names(scene.paths));
 }
 
 }  // namespace

@@ -9,9 +9,10 @@
 
 namespace shadewright {
 
-/// Lets `write` fill a temporary file beside `file`, then renames it. If `write` throws, or the disk fails, nothing is left and
-/// what stood there before stays. FailureError names the file.
-void write_atomically(const std::filesystem::path& file, const std::function<void(const std::filesystem::path& temporary)>& write);
+/// Lets `write` fill a temporary file beside `file`, then renames it. If `write` throws, or the disk fails, nothing is
+/// left and what stood there before stays. FailureError names the file.
+void write_atomically(const std::filesystem::path& file,
+                      const std::function<void(const std::filesystem::path& temporary)>& write);
 
 /// Writes `bytes` so.
 void write_file(const std::filesystem::path& file, std::span<const std::byte> bytes);

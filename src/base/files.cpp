@@ -7,7 +7,8 @@
 
 namespace shadewright {
 
-void write_atomically(const std::filesystem::path& file, const std::function<void(const std::filesystem::path&)>& write) {
+void write_atomically(const std::filesystem::path& file,
+                      const std::function<void(const std::filesystem::path&)>& write) {
   std::filesystem::path temporary = file;
   temporary += ".part";
   std::error_code error;
@@ -29,10 +30,13 @@ void write_file(const std::filesystem::path& file, std::span<const std::byte> by
     std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
     stream.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     stream.close();
-    if (!stream) throw FailureError(file.string(), "can't be written", "check that its folder exists and the disk has room");
+    if (!stream)
+      throw FailureError(file.string(), "can't be written", "check that its folder exists and the disk has room");
   });
 }
 
-void write_file(const std::filesystem::path& file, std::string_view text) { write_file(file, std::as_bytes(std::span(text))); }
+void write_file(const std::filesystem::path& file, std::string_view text) {
+  write_file(file, std::as_bytes(std::span(text)));
+}
 
 }  // namespace shadewright

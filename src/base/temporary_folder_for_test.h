@@ -34,5 +34,4 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-
 }  // namespace shadewright

@@ -3,10 +3,10 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "shadewright/image/picture.h"
 #include "base/temporary_folder_for_test.h"
 #include "compare/report_fixture.h"
 #include "shadewright/error.h"
+#include "shadewright/image/picture.h"
 
 namespace shadewright::compare {
 namespace {

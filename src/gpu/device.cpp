@@ -12,15 +12,21 @@ namespace {
 
 constexpr uint32_t api_version = VK_API_VERSION_1_3;
 const vk::QueueFlags queue_work = vk::QueueFlagBits::eGraphics | vk::QueueFlagBits::eCompute;
-const char* const no_vulkan_mend = "install the Debian package mesa-vulkan-drivers (software device) or your GPU's driver";
+const char* const no_vulkan_mend =
+    "install the Debian package mesa-vulkan-drivers (software device) or your GPU's driver";
 
 DeviceType device_type(vk::PhysicalDeviceType type) {
   switch (type) {
-    case vk::PhysicalDeviceType::eDiscreteGpu: return DeviceType::discrete;
-    case vk::PhysicalDeviceType::eIntegratedGpu: return DeviceType::integrated;
-    case vk::PhysicalDeviceType::eVirtualGpu: return DeviceType::virtual_gpu;
-    case vk::PhysicalDeviceType::eCpu: return DeviceType::cpu;
-    default: return DeviceType::other;
+    case vk::PhysicalDeviceType::eDiscreteGpu:
+      return DeviceType::discrete;
+    case vk::PhysicalDeviceType::eIntegratedGpu:
+      return DeviceType::integrated;
+    case vk::PhysicalDeviceType::eVirtualGpu:
+      return DeviceType::virtual_gpu;
+    case vk::PhysicalDeviceType::eCpu:
+      return DeviceType::cpu;
+    default:
+      return DeviceType::other;
   }
 }
 
@@ -48,7 +54,8 @@ vk::raii::Instance make_instance(const vk::raii::Context& context, bool validati
   try {
     return vk::raii::Instance(context, info);
   } catch (const vk::LayerNotPresentError&) {
-    throw FailureError("Vulkan", "the validation layer is missing", "install the Debian package vulkan-validationlayers");
+    throw FailureError("Vulkan", "the validation layer is missing",
+                       "install the Debian package vulkan-validationlayers");
   } catch (const vk::SystemError& error) {
     throw FailureError("Vulkan", std::string("no instance can be made (") + error.what() + ")", no_vulkan_mend);
   }
@@ -103,7 +110,8 @@ std::string lower(std::string text) {
 }
 
 bool selects(const std::string& select, const DeviceInfo& info) {
-  const bool is_index = !select.empty() && std::all_of(select.begin(), select.end(), [](unsigned char c) { return std::isdigit(c); });
+  const bool is_index =
+      !select.empty() && std::all_of(select.begin(), select.end(), [](unsigned char c) { return std::isdigit(c); });
   if (is_index) return select == std::to_string(info.index);
   return lower(info.name).find(lower(select)) != std::string::npos;
 }
@@ -111,11 +119,16 @@ bool selects(const std::string& select, const DeviceInfo& info) {
 /// Smaller is preferred.
 int rank(DeviceType type) {
   switch (type) {
-    case DeviceType::discrete: return 0;
-    case DeviceType::integrated: return 1;
-    case DeviceType::virtual_gpu: return 2;
-    case DeviceType::cpu: return 3;
-    default: return 4;
+    case DeviceType::discrete:
+      return 0;
+    case DeviceType::integrated:
+      return 1;
+    case DeviceType::virtual_gpu:
+      return 2;
+    case DeviceType::cpu:
+      return 3;
+    default:
+      return 4;
   }
 }
 
@@ -127,12 +140,15 @@ DeviceInfo choose(const std::vector<DeviceInfo>& all, const std::string& select)
     if (!info.unusable.empty()) reasons += (reasons.empty() ? "" : ", ") + info.name + ": " + info.unusable;
     if (!selects(select, info)) continue;
     if (!select.empty() && !info.unusable.empty())
-      throw InputError("--device " + select, info.name + " can't be used (" + info.unusable + ")", "choose one of " + names);
+      throw InputError("--device " + select, info.name + " can't be used (" + info.unusable + ")",
+                       "choose one of " + names);
     if (info.unusable.empty() && (!best || rank(info.type) < rank(best->type))) best = &info;
   }
   if (best) return *best;
-  if (!select.empty() && !all.empty()) throw InputError("--device " + select, "no such device", "choose one of " + names);
-  throw FailureError("Vulkan", all.empty() ? "there is no device" : "no device can be used (" + reasons + ")", no_vulkan_mend);
+  if (!select.empty() && !all.empty())
+    throw InputError("--device " + select, "no such device", "choose one of " + names);
+  throw FailureError("Vulkan", all.empty() ? "there is no device" : "no device can be used (" + reasons + ")",
+                     no_vulkan_mend);
 }
 
 }  // namespace
@@ -152,11 +168,16 @@ struct Device::Messages {
 
 std::string to_string(DeviceType type) {
   switch (type) {
-    case DeviceType::discrete: return "discrete";
-    case DeviceType::integrated: return "integrated";
-    case DeviceType::virtual_gpu: return "virtual";
-    case DeviceType::cpu: return "cpu";
-    default: return "other";
+    case DeviceType::discrete:
+      return "discrete";
+    case DeviceType::integrated:
+      return "integrated";
+    case DeviceType::virtual_gpu:
+      return "virtual";
+    case DeviceType::cpu:
+      return "cpu";
+    default:
+      return "other";
   }
 }
 
@@ -187,7 +208,9 @@ std::string Device::why_unusable(const vk::raii::PhysicalDevice& physical) {
   return missing;
 }
 
-std::vector<const char*> Device::required_extensions() { return {VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME}; }
+std::vector<const char*> Device::required_extensions() {
+  return {VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME};
+}
 
 void Device::required_features(DeviceFeatures& features) {
   chain(features);
@@ -199,8 +222,11 @@ Device::Device(const DeviceOptions& options) : context_(make_context()), message
   if (options.validation) {
     using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
     using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
-    messenger_ = vk::raii::DebugUtilsMessengerEXT(
-        instance_, {{}, Severity::eWarning | Severity::eError, Type::eValidation | Type::ePerformance, &Messages::receive, messages_.get()});
+    messenger_ = vk::raii::DebugUtilsMessengerEXT(instance_, {{},
+                                                              Severity::eWarning | Severity::eError,
+                                                              Type::eValidation | Type::ePerformance,
+                                                              &Messages::receive,
+                                                              messages_.get()});
   }
   std::vector<DeviceInfo> all;
   const auto physicals = instance_.enumeratePhysicalDevices();

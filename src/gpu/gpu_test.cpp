@@ -39,7 +39,8 @@ TEST_F(GpuTest, BuffersKeepWhatIsUploaded) {
 }
 
 TEST_F(GpuTest, ImagesReadBackLayerByLayer) {
-  Image image(device(), {"layers", vk::Format::eR8Unorm, 5, 3, 2, vk::ImageUsageFlagBits::eTransferDst | vk::ImageUsageFlagBits::eTransferSrc});
+  Image image(device(), {"layers", vk::Format::eR8Unorm, 5, 3, 2,
+                         vk::ImageUsageFlagBits::eTransferDst | vk::ImageUsageFlagBits::eTransferSrc});
   submit_and_wait(device(), [&](const auto& commands) {
     image.transition(commands, vk::ImageLayout::eTransferDstOptimal, true);
     for (uint32_t layer = 0; layer < 2; ++layer)
@@ -52,7 +53,8 @@ TEST_F(GpuTest, ImagesReadBackLayerByLayer) {
 }
 
 TEST_F(GpuTest, RefusesImagesBeyondTheDevice) {
-  EXPECT_THROW(Image(device(), {"huge", vk::Format::eR8Unorm, 1u << 20, 1, 1, vk::ImageUsageFlagBits::eSampled}), InputError);
+  EXPECT_THROW(Image(device(), {"huge", vk::Format::eR8Unorm, 1u << 20, 1, 1, vk::ImageUsageFlagBits::eSampled}),
+               InputError);
 }
 
 TEST_F(GpuTest, TellsStagesInOrder) {

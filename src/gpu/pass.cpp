@@ -46,8 +46,9 @@ class Writes {
   std::vector<vk::WriteDescriptorSet> writes_;
 };
 
-void bind_sets(const vk::raii::CommandBuffer& commands, vk::PipelineBindPoint point, const vk::raii::PipelineLayout& layout,
-               std::span<const Binding> bindings, std::span<const vk::DescriptorSet> sets) {
+void bind_sets(const vk::raii::CommandBuffer& commands, vk::PipelineBindPoint point,
+               const vk::raii::PipelineLayout& layout, std::span<const Binding> bindings,
+               std::span<const vk::DescriptorSet> sets) {
   if (!bindings.empty()) commands.pushDescriptorSetKHR(point, *layout, 0, Writes(bindings).list());
   if (!sets.empty())
     commands.bindDescriptorSets(point, *layout, 1, vk::ArrayProxy(static_cast<uint32_t>(sets.size()), sets.data()), {});
@@ -55,7 +56,8 @@ void bind_sets(const vk::raii::CommandBuffer& commands, vk::PipelineBindPoint po
 
 void push_constants(const vk::raii::CommandBuffer& commands, const vk::raii::PipelineLayout& layout,
                     vk::ShaderStageFlags stages, std::span<const std::byte> push) {
-  if (!push.empty()) commands.pushConstants<std::byte>(*layout, stages, 0, {static_cast<uint32_t>(push.size()), push.data()});
+  if (!push.empty())
+    commands.pushConstants<std::byte>(*layout, stages, 0, {static_cast<uint32_t>(push.size()), push.data()});
 }
 
 constexpr auto graphics_stages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
@@ -64,10 +66,14 @@ constexpr auto graphics_stages = vk::ShaderStageFlagBits::eVertex | vk::ShaderSt
 
 vk::DescriptorType descriptor_type(BindingKind kind) {
   switch (kind) {
-    case BindingKind::storage_buffer: return vk::DescriptorType::eStorageBuffer;
-    case BindingKind::uniform_buffer: return vk::DescriptorType::eUniformBuffer;
-    case BindingKind::sampled_image: return vk::DescriptorType::eCombinedImageSampler;
-    case BindingKind::storage_image: return vk::DescriptorType::eStorageImage;
+    case BindingKind::storage_buffer:
+      return vk::DescriptorType::eStorageBuffer;
+    case BindingKind::uniform_buffer:
+      return vk::DescriptorType::eUniformBuffer;
+    case BindingKind::sampled_image:
+      return vk::DescriptorType::eCombinedImageSampler;
+    case BindingKind::storage_image:
+      return vk::DescriptorType::eStorageImage;
   }
   return vk::DescriptorType::eStorageBuffer;
 }
@@ -96,12 +102,14 @@ ComputePass::ComputePass(const Device& device, std::span<const uint32_t> spirv, 
   const auto shader = make_shader(device, spirv);
   const vk::SpecializationMapEntry entry(0, 0, sizeof(constant));
   const vk::SpecializationInfo specialization(1, &entry, sizeof(constant), &constant);
-  const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *shader, "main", &specialization);
+  const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *shader, "main",
+                                                &specialization);
   pipeline_ = vk::raii::Pipeline(device.handle(), nullptr, vk::ComputePipelineCreateInfo({}, stage, *layout_));
 }
 
 void ComputePass::dispatch(const vk::raii::CommandBuffer& commands, std::span<const Binding> bindings,
-                           std::span<const std::byte> push, vk::Extent3D groups, std::span<const vk::DescriptorSet> sets) const {
+                           std::span<const std::byte> push, vk::Extent3D groups,
+                           std::span<const vk::DescriptorSet> sets) const {
   commands.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline_);
   bind_sets(commands, vk::PipelineBindPoint::eCompute, layout_, bindings, sets);
   push_constants(commands, layout_, vk::ShaderStageFlagBits::eCompute, push);
@@ -135,8 +143,8 @@ GraphicsPass::GraphicsPass(const Device& device, const GraphicsDesc& desc) : kin
   const vk::PipelineDynamicStateCreateInfo dynamic({}, dynamic_states);
   const vk::PipelineRenderingCreateInfo rendering(0, desc.colors, desc.depth);
 
-  vk::GraphicsPipelineCreateInfo info({}, stages, &vertex_input, &assembly, nullptr, &viewport, &raster, &multisample, &depth,
-                                      &blend, &dynamic, *layout_);
+  vk::GraphicsPipelineCreateInfo info({}, stages, &vertex_input, &assembly, nullptr, &viewport, &raster, &multisample,
+                                      &depth, &blend, &dynamic, *layout_);
   info.pNext = &rendering;
   pipeline_ = vk::raii::Pipeline(device.handle(), nullptr, info);
 }

@@ -52,7 +52,8 @@ void Recorder::submit() {
     if (device_.handle().waitForFences(*fence_, VK_TRUE, UINT64_MAX) != vk::Result::eSuccess)
       throw FailureError(device_.info().name, "the device did not finish its work");
   } catch (const vk::DeviceLostError&) {
-    throw FailureError(device_.info().name, "the device was lost", "try again, with a smaller resolution or another --device");
+    throw FailureError(device_.info().name, "the device was lost",
+                       "try again, with a smaller resolution or another --device");
   }
   for (const Pending& pending : pending_) {
     const auto ticks = queries_.getResults<uint64_t>(pending.first_query, 2, 2 * sizeof(uint64_t), sizeof(uint64_t),

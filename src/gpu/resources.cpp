@@ -34,8 +34,8 @@ Buffer::Buffer(const Device& device, std::string name, uint64_t bytes, HostAcces
                      Usage::eIndexBuffer | Usage::eIndirectBuffer | Usage::eUniformBuffer;
   buffer_ = vk::raii::Buffer(device.handle(), {{}, size_, usage, vk::SharingMode::eExclusive});
   using Property = vk::MemoryPropertyFlagBits;
-  const vk::MemoryPropertyFlags wanted =
-      access == HostAccess::none ? vk::MemoryPropertyFlags(Property::eDeviceLocal) : Property::eHostVisible | Property::eHostCoherent;
+  const vk::MemoryPropertyFlags wanted = access == HostAccess::none ? vk::MemoryPropertyFlags(Property::eDeviceLocal)
+                                                                    : Property::eHostVisible | Property::eHostCoherent;
   memory_ = allocate(device, name_, buffer_.getMemoryRequirements(), wanted);
   buffer_.bindMemory(*memory_, 0);
   if (access != HostAccess::none) mapped_ = memory_.mapMemory(0, VK_WHOLE_SIZE);
@@ -54,20 +54,26 @@ Image::Image(const Device& device, const ImageDesc& desc) : desc_(desc), aspect_
   memory_ = allocate(device, desc.name, needs, vk::MemoryPropertyFlagBits::eDeviceLocal);
   image_.bindMemory(*memory_, 0);
   using Usage = vk::ImageUsageFlagBits;
-  if (!(desc.usage & (Usage::eSampled | Usage::eStorage | Usage::eColorAttachment | Usage::eDepthStencilAttachment))) return;
+  if (!(desc.usage & (Usage::eSampled | Usage::eStorage | Usage::eColorAttachment | Usage::eDepthStencilAttachment)))
+    return;
   const bool array = desc.layers > 1 || desc.array_view;
-  view_ = vk::raii::ImageView(device.handle(), {{}, *image_, array ? vk::ImageViewType::e2DArray : vk::ImageViewType::e2D,
-                                                desc.format, {}, {aspect_, 0, 1, 0, desc.layers}});
+  view_ = vk::raii::ImageView(device.handle(), {{},
+                                                *image_,
+                                                array ? vk::ImageViewType::e2DArray : vk::ImageViewType::e2D,
+                                                desc.format,
+                                                {},
+                                                {aspect_, 0, 1, 0, desc.layers}});
   for (uint32_t layer = 0; layer < desc.layers; ++layer)
-    layer_views_.emplace_back(device.handle(), vk::ImageViewCreateInfo({}, *image_, vk::ImageViewType::e2D, desc.format, {},
-                                                                       {aspect_, 0, 1, layer, 1}));
+    layer_views_.emplace_back(device.handle(), vk::ImageViewCreateInfo({}, *image_, vk::ImageViewType::e2D, desc.format,
+                                                                       {}, {aspect_, 0, 1, layer, 1}));
 }
 
 void Image::transition(const vk::raii::CommandBuffer& commands, vk::ImageLayout layout, bool discard) {
   const vk::ImageMemoryBarrier2 barrier(
-      vk::PipelineStageFlagBits2::eAllCommands, vk::AccessFlagBits2::eMemoryWrite, vk::PipelineStageFlagBits2::eAllCommands,
-      vk::AccessFlagBits2::eMemoryRead | vk::AccessFlagBits2::eMemoryWrite, discard ? vk::ImageLayout::eUndefined : layout_,
-      layout, VK_QUEUE_FAMILY_IGNORED, VK_QUEUE_FAMILY_IGNORED, *image_, {aspect_, 0, 1, 0, desc_.layers});
+      vk::PipelineStageFlagBits2::eAllCommands, vk::AccessFlagBits2::eMemoryWrite,
+      vk::PipelineStageFlagBits2::eAllCommands, vk::AccessFlagBits2::eMemoryRead | vk::AccessFlagBits2::eMemoryWrite,
+      discard ? vk::ImageLayout::eUndefined : layout_, layout, VK_QUEUE_FAMILY_IGNORED, VK_QUEUE_FAMILY_IGNORED,
+      *image_, {aspect_, 0, 1, 0, desc_.layers});
   commands.pipelineBarrier2({{}, {}, {}, barrier});
   layout_ = layout;
 }
@@ -121,7 +127,8 @@ std::vector<std::byte> read_back(const Device& device, Image& image, uint32_t by
   const Buffer staging(device, "staging", bytes, HostAccess::read);
   submit_and_wait(device, [&](const auto& commands) {
     image.transition(commands, vk::ImageLayout::eTransferSrcOptimal);
-    const vk::BufferImageCopy region(0, 0, 0, {image.aspect(), 0, layer, 1}, {}, {image.desc().width, image.desc().height, 1});
+    const vk::BufferImageCopy region(0, 0, 0, {image.aspect(), 0, layer, 1}, {},
+                                     {image.desc().width, image.desc().height, 1});
     commands.copyImageToBuffer(image.handle(), vk::ImageLayout::eTransferSrcOptimal, staging.handle(), region);
   });
   const auto mapped = staging.mapped<std::byte>().first(bytes);

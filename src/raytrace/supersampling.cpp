@@ -98,8 +98,8 @@ std::vector<float> visible_supersampled(const RayScene& scene, std::span<const S
         for (uint32_t lane = 0; lane < std::min(packet_size, samples - first); ++lane) {
           const glm::vec3 position(plane.at(sample_offset(first + lane, scrambled)));
           if (!ray.reaches(position, point.normal)) continue;
-          // Occluders nearer to the sample than the sample is to the pixel's point do not count: so far the tangent plane
-          // stands in for the surface, and in a concave edge it lies below it.
+          // Occluders nearer to the sample than the sample is to the pixel's point do not count: so far the tangent
+          // plane stands in for the surface, and in a concave edge it lies below it.
           const float reach = glm::distance(position, point.position);
           glm::vec3 origin = position + point.normal * (position_error(position, eye) + normal_error * reach);
           origin += reach * glm::normalize(glm::vec3(ray.towards(origin)));

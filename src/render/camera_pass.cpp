@@ -16,13 +16,15 @@ namespace shadewright::render {
 
 namespace {
 
-/// Rows 0, 1 and 3 of clip_from_world, which tell where a point is on the screen: (ndc.x * w, ndc.y * w, w) = m * p + t.
+/// Rows 0, 1 and 3 of clip_from_world, which tell where a point is on the screen: (ndc.x * w, ndc.y * w, w) = m * p +
+/// t.
 struct ScreenMap {
   glm::dmat3 m;
   glm::dvec3 t;
 
   explicit ScreenMap(const glm::dmat4& clip_from_world) {
-    const glm::dvec4 x = glm::row(clip_from_world, 0), y = glm::row(clip_from_world, 1), w = glm::row(clip_from_world, 3);
+    const glm::dvec4 x = glm::row(clip_from_world, 0), y = glm::row(clip_from_world, 1),
+                     w = glm::row(clip_from_world, 3);
     m = glm::transpose(glm::dmat3(glm::dvec3(x), glm::dvec3(y), glm::dvec3(w)));
     t = {x.w, y.w, w.w};
   }
@@ -60,8 +62,10 @@ shared::CameraData camera_data(const CameraView& view) {
   const glm::dvec4 z = glm::row(view.clip_from_world, 2), w = glm::row(view.clip_from_world, 3);
   const glm::dvec3 axis(w);
   if (glm::dot(axis, axis) == 0)
-    throw InputError("camera", "an orthographic camera has no view depth to read shadows with", "give a perspective one");
-  // The depth row is a combination of the w row and a constant: z = scale * w + offset, hence depth = scale + offset / w.
+    throw InputError("camera", "an orthographic camera has no view depth to read shadows with",
+                     "give a perspective one");
+  // The depth row is a combination of the w row and a constant: z = scale * w + offset, hence depth = scale + offset /
+  // w.
   const double scale = glm::dot(glm::dvec3(z), axis) / glm::dot(axis, axis);
   shared::CameraData data;
   const glm::dvec3 eye = view.eye();
@@ -83,10 +87,13 @@ CameraPass::CameraPass(const SceneGpu& scene, uint32_t width, uint32_t height, b
   using Usage = vk::ImageUsageFlagBits;
   const gpu::Device& device = scene.device();
   const auto read = Usage::eSampled | Usage::eTransferSrc;
-  depth_ = gpu::Image(device, {"camera depth", vk::Format::eD32Sfloat, width, height, 1, Usage::eDepthStencilAttachment | read});
-  normal_ = gpu::Image(device, {"camera normal", vk::Format::eR16G16Snorm, width, height, 1, Usage::eColorAttachment | read});
+  depth_ = gpu::Image(
+      device, {"camera depth", vk::Format::eD32Sfloat, width, height, 1, Usage::eDepthStencilAttachment | read});
+  normal_ =
+      gpu::Image(device, {"camera normal", vk::Format::eR16G16Snorm, width, height, 1, Usage::eColorAttachment | read});
   if (with_albedo)
-    albedo_ = gpu::Image(device, {"camera albedo", vk::Format::eR8G8B8A8Unorm, width, height, 1, Usage::eColorAttachment | read});
+    albedo_ = gpu::Image(
+        device, {"camera albedo", vk::Format::eR8G8B8A8Unorm, width, height, 1, Usage::eColorAttachment | read});
   camera_ = gpu::Buffer(device, "camera", sizeof(shared::CameraData), gpu::HostAccess::write);
 
   using enum gpu::BindingKind;
@@ -114,8 +121,14 @@ void CameraPass::record(gpu::Recorder& recorder, const CameraView& view) {
     for (gpu::Image* image : {&normal_, &albedo_}) {
       if (!*image) continue;
       image->transition(commands, Layout::eColorAttachmentOptimal, true);
-      colors.push_back({image->view(), Layout::eColorAttachmentOptimal, {}, {}, {}, vk::AttachmentLoadOp::eClear,
-                        vk::AttachmentStoreOp::eStore, vk::ClearValue{}});
+      colors.push_back({image->view(),
+                        Layout::eColorAttachmentOptimal,
+                        {},
+                        {},
+                        {},
+                        vk::AttachmentLoadOp::eClear,
+                        vk::AttachmentStoreOp::eStore,
+                        vk::ClearValue{}});
     }
     depth_.transition(commands, Layout::eDepthAttachmentOptimal, true);
     const vk::RenderingAttachmentInfo depth(depth_.view(), Layout::eDepthAttachmentOptimal, {}, {}, {},
@@ -123,7 +136,8 @@ void CameraPass::record(gpu::Recorder& recorder, const CameraView& view) {
                                             vk::ClearDepthStencilValue(view.background_depth, 0));
     const vk::Rect2D area({0, 0}, depth_.extent());
     commands.beginRendering({{}, area, 1, 0, colors, &depth});
-    commands.setViewport(0, vk::Viewport(0, 0, static_cast<float>(area.extent.width), static_cast<float>(area.extent.height), 0, 1));
+    commands.setViewport(
+        0, vk::Viewport(0, 0, static_cast<float>(area.extent.width), static_cast<float>(area.extent.height), 0, 1));
     commands.setScissor(0, area);
     using gpu::Binding;
     const Binding bindings[] = {Binding::storage(scene_.triangle_normals()), Binding::uniform(camera_)};
@@ -135,8 +149,8 @@ void CameraPass::record(gpu::Recorder& recorder, const CameraView& view) {
   });
 }
 
-std::vector<gpu::Allocation> CameraPass::allocations() const {
-  std::vector<gpu::Allocation> result{depth_.allocation(), normal_.allocation(), camera_.allocation()};
+std::vector<Allocation> CameraPass::allocations() const {
+  std::vector<Allocation> result{depth_.allocation(), normal_.allocation(), camera_.allocation()};
   if (albedo_) result.push_back(albedo_.allocation());
   for (auto& allocation : draws_.allocations()) result.push_back(std::move(allocation));
   return result;
@@ -151,7 +165,8 @@ std::vector<SurfacePoint> CameraPass::surface_points(const CameraView& view) {
     normal_.transition(commands, vk::ImageLayout::eShaderReadOnlyOptimal);
   });
   const shared::CameraData data = camera_data(view);
-  const glm::dvec3 origin = view.ray({0.5, 0.5}), dx = view.ray({1.5, 0.5}) - origin, dy = view.ray({0.5, 1.5}) - origin;
+  const glm::dvec3 origin = view.ray({0.5, 0.5}), dx = view.ray({1.5, 0.5}) - origin,
+                   dy = view.ray({0.5, 1.5}) - origin;
   std::vector<SurfacePoint> points(size_t{view.width} * view.height);
   for (uint32_t y = 0; y < view.height; ++y)
     for (uint32_t x = 0; x < view.width; ++x) {

@@ -24,7 +24,9 @@ glm::vec3 ambient(const glm::vec3& normal) {
   return 0.55f * glm::mix(ground_bounce, glm::mix(sky_horizon, sky_zenith, 0.5f), 0.5f + 0.5f * normal.y);
 }
 
-uint8_t to_byte(float value) { return static_cast<uint8_t>(std::lround(255.0f * std::clamp(value, 0.0f, 1.0f))); }
+uint8_t to_byte(float value) {
+  return static_cast<uint8_t>(std::lround(255.0f * std::clamp(value, 0.0f, 1.0f)));
+}
 
 float srgb(float linear) {
   const float x = std::clamp(linear, 0.0f, 1.0f);
@@ -32,16 +34,19 @@ float srgb(float linear) {
 }
 
 /// Rolls highlights off smoothly (Reinhard, with white at 4).
-float tone(float x) { return x * (1.0f + x / 16.0f) / (1.0f + x); }
+float tone(float x) {
+  return x * (1.0f + x / 16.0f) / (1.0f + x);
+}
 
 }  // namespace
 
-std::vector<glm::vec3> shade(std::span<const SurfacePoint> points, std::span<const uint8_t> albedo, std::span<const float> visibility,
-                             const Light& light, const Camera& camera) {
+std::vector<glm::vec3> shade(std::span<const SurfacePoint> points, std::span<const uint8_t> albedo,
+                             std::span<const float> visibility, const Light& light, const Camera& camera) {
   std::vector<glm::vec3> radiance(points.size());
   const glm::vec3 direction(light.direction), position(light.position), eye(camera.eye);
   // A lamp is as bright as the sun at the distance of what the camera looks at.
-  const float reference = light.kind == LightKind::directional ? 1.0f : static_cast<float>(glm::distance(light.position, camera.target));
+  const float reference =
+      light.kind == LightKind::directional ? 1.0f : static_cast<float>(glm::distance(light.position, camera.target));
   tbb::parallel_for(size_t{0}, points.size(), [&](size_t i) {
     const SurfacePoint& point = points[i];
     if (!point.valid()) {

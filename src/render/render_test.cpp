@@ -27,7 +27,8 @@ class RenderTest : public gpu::DeviceTest {
     return pass.surface_points(view);
   }
 
-  /// Coverage, depth and normals of the camera pass against primary rays; silhouette pixels excepted for depth and normals.
+  /// Coverage, depth and normals of the camera pass against primary rays; silhouette pixels excepted for depth and
+  /// normals.
   void expect_agreement(const Scene& scene, const Camera& camera) {
     const double near = near_distance(scene, camera);
     const CameraView view = make_view(camera, near, width, height);
@@ -94,7 +95,8 @@ TEST(CameraViewTest, ReadsEveryConventionOffTheMatrix) {
   const double tangent = std::tan(0.5 * camera.fov_y), aspect = static_cast<double>(width) / height;
   const glm::dmat4 view = look_along(camera.eye, camera.target - camera.eye, camera.up);
   CameraView standard = reversed;
-  standard.clip_from_world = perspective_window({-tangent * aspect, -tangent}, {tangent * aspect, tangent}, 0.1, 500) * view;
+  standard.clip_from_world =
+      perspective_window({-tangent * aspect, -tangent}, {tangent * aspect, tangent}, 0.1, 500) * view;
   standard.background_depth = 1;
   std::mt19937 random(7);
   std::uniform_real_distribution<double> pixel_x(0, width), pixel_y(0, height), distance(0.5, 400);
@@ -108,7 +110,8 @@ TEST(CameraViewTest, ReadsEveryConventionOffTheMatrix) {
       const glm::dvec4 clip = convention.clip_from_world * glm::dvec4(point, 1);
       const shared::CameraData data = camera_data(convention);
       const double depth = clip.z / clip.w;
-      EXPECT_NEAR(static_cast<double>(data.depth_offset) / (depth - static_cast<double>(data.depth_scale)), view_depth, 1e-4 * view_depth + 2e-6 * view_depth * view_depth / 0.1);
+      EXPECT_NEAR(static_cast<double>(data.depth_offset) / (depth - static_cast<double>(data.depth_scale)), view_depth,
+                  1e-4 * view_depth + 2e-6 * view_depth * view_depth / 0.1);
     }
   }
 }

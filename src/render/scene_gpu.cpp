@@ -74,7 +74,8 @@ SceneGpu::SceneGpu(const gpu::Device& device, const Scene& scene, double time) :
   for (const uint32_t index : instance_order) {
     const Instance& instance = scene.instances[index];
     const glm::dmat4 world_from_mesh = transform_at(scene, instance, time);
-    if (mesh_instances[instance.mesh].y++ == 0) mesh_instances[instance.mesh].x = static_cast<uint32_t>(instances.size());
+    if (mesh_instances[instance.mesh].y++ == 0)
+      mesh_instances[instance.mesh].x = static_cast<uint32_t>(instances.size());
     instances.push_back({glm::mat4x3(glm::mat4(world_from_mesh)), glm::packUnorm4x8(glm::vec4(instance.albedo, 1.0f))});
     instance_bounds_[index] = transform(world_from_mesh, mesh_bounds[instance.mesh]);
     instance_centers_.emplace_back(instance_bounds_[index].center());
@@ -104,8 +105,8 @@ SceneGpu::SceneGpu(const gpu::Device& device, const Scene& scene, double time) :
         triangles.push_back(triangle + base);
         normals.push_back(packed_normal(mesh, triangle));
       }
-      clusters.push_back({glm::vec3(box.center()), glm::vec3(0.5 * box.size()), first_index, 3 * (end - begin), shown.x, shown.y,
-                          list_capacity_});
+      clusters.push_back({glm::vec3(box.center()), glm::vec3(0.5 * box.size()), first_index, 3 * (end - begin), shown.x,
+                          shown.y, list_capacity_});
       list_capacity_ += shown.y;
       cluster_centers_.push_back(instances[shown.x].world_from_mesh * glm::vec4(glm::vec3(box.center()), 1.0f));
       cluster_instances_.push_back(shown);
@@ -146,8 +147,9 @@ std::vector<uint32_t> SceneGpu::front_to_back(const glm::dvec3& eye) const {
   return order;
 }
 
-std::vector<gpu::Allocation> SceneGpu::allocations() const {
-  return {positions_.allocation(), indices_.allocation(), normals_.allocation(), instances_.allocation(), clusters_.allocation()};
+std::vector<Allocation> SceneGpu::allocations() const {
+  return {positions_.allocation(), indices_.allocation(), normals_.allocation(), instances_.allocation(),
+          clusters_.allocation()};
 }
 
 }  // namespace shadewright::render

@@ -1,4 +1,5 @@
-// Structs that C++ and GLSL share, written once. GLSL reads them with scalar layout, which is C++'s own for these members.
+// Structs that C++ and GLSL share, written once. GLSL reads them with scalar layout, which is C++'s own for these
+// members.
 #ifndef SHADEWRIGHT_RENDER_SHARED_H
 #define SHADEWRIGHT_RENDER_SHARED_H
 
@@ -22,8 +23,8 @@ struct InstanceData {
   uint albedo;  // RGBA8, linear
 };
 
-/// A cluster of one instance that a view draws, as instance-rate vertex attributes: a vertex shader that read the instance from
-/// a storage buffer took three times as long on a CPU device.
+/// A cluster of one instance that a view draws, as instance-rate vertex attributes: a vertex shader that read the
+/// instance from a storage buffer took three times as long on a CPU device.
 struct VisibleInstance {
   vec4 world_from_mesh_rows[3];
   uint albedo;
@@ -68,7 +69,7 @@ struct CameraData {
   mat4 clip_from_relative;  // clip from (world - eye)
   mat3 ray_from_ndc;        // (ndc.x, ndc.y, 1) to the world direction whose view depth is 1
   vec3 eye;
-  float depth_scale;   // depth = depth_scale + depth_offset / view_depth, whatever the convention
+  float depth_scale;  // depth = depth_scale + depth_offset / view_depth, whatever the convention
   float depth_offset;
   float background_depth;  // what the depth buffer holds where nothing was drawn
   uvec2 size;

@@ -5,7 +5,8 @@
 
 namespace shadewright {
 
-/// Reads the scene file `source`, with its options if it has any (file_options.h); warnings and errors as in load_scene.
+/// Reads the scene file `source`, with its options if it has any (file_options.h); warnings and errors as in
+/// load_scene.
 LoadedScene load_file(const std::string& source, const Progress& progress = no_progress);
 
 }  // namespace shadewright

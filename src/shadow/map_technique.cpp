@@ -26,9 +26,12 @@ glm::dmat4 map_from_clip() {
 
 uint32_t light_kind(LightKind kind) {
   switch (kind) {
-    case LightKind::spot: return shared::light_spot;
-    case LightKind::point: return shared::light_point;
-    default: return shared::light_directional;
+    case LightKind::spot:
+      return shared::light_spot;
+    case LightKind::point:
+      return shared::light_point;
+    default:
+      return shared::light_directional;
   }
 }
 
@@ -38,7 +41,8 @@ MapTechnique::MapTechnique(const gpu::Device& device, const Spec& spec, const Te
     : Technique(device), spec_(spec), options_(options) {
   parameterization_ = std::make_unique<Uniform>(device, spec);
   if (!options.allow_readback && needs_readback())
-    throw InputError(spec.text, "this technique waits for the device in every frame", "allow readback, or choose fit=view");
+    throw InputError(spec.text, "this technique waits for the device in every frame",
+                     "allow readback, or choose fit=view");
 
   visibility_ = gpu::Image(device, {"visibility", vk::Format::eR8Unorm, options.width, options.height, 1,
                                     vk::ImageUsageFlagBits::eStorage | vk::ImageUsageFlagBits::eSampled |
@@ -47,14 +51,16 @@ MapTechnique::MapTechnique(const gpu::Device& device, const Spec& spec, const Te
   for (uint32_t i = 0; i < options.frames_in_flight; ++i) {
     cameras_.emplace_back(device, "shadow camera", sizeof(shared::CameraData), gpu::HostAccess::write);
     lookups_.emplace_back(device, "shadow constants", sizeof(shared::LookupData), gpu::HostAccess::write);
-    views_.emplace_back(device, "shadow views", parameterization_->max_views() * sizeof(shared::MapViewData), gpu::HostAccess::write);
+    views_.emplace_back(device, "shadow views", parameterization_->max_views() * sizeof(shared::MapViewData),
+                        gpu::HostAccess::write);
   }
   lookup_layout_ = gpu::make_set_layout(device, lookup_kinds, lookup_stages, false);
   const uint32_t count = options.frames_in_flight;
   const vk::DescriptorPoolSize sizes[] = {{vk::DescriptorType::eStorageBuffer, count},
                                           {vk::DescriptorType::eUniformBuffer, count},
                                           {vk::DescriptorType::eCombinedImageSampler, count}};
-  pool_ = vk::raii::DescriptorPool(device.handle(), {vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, count, sizes});
+  pool_ =
+      vk::raii::DescriptorPool(device.handle(), {vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, count, sizes});
   const std::vector<vk::DescriptorSetLayout> layouts(count, *lookup_layout_);
   for (auto& set : vk::raii::DescriptorSets(device.handle(), {*pool_, layouts})) lookup_sets_.push_back(std::move(set));
 }
@@ -68,10 +74,12 @@ void MapTechnique::build_for(LightKind light) {
   using enum gpu::BindingKind;
   const vk::DescriptorSetLayout lookup_layout = *lookup_layout_;
   lookup_ = gpu::ComputePass(device_, lookup_shader(spec_.parameterization + "/" + spec_.storage + "/" + spec_.filter),
-                             {uniform_buffer, sampled_image, sampled_image, storage_image}, 0, std::span(&lookup_layout, 1), six_faces);
+                             {uniform_buffer, sampled_image, sampled_image, storage_image}, 0,
+                             std::span(&lookup_layout, 1), six_faces);
   built_for_ = light;
   for (uint32_t i = 0; i < options_.frames_in_flight; ++i) {
-    const vk::DescriptorBufferInfo views(views_[i].handle(), 0, VK_WHOLE_SIZE), lookup(lookups_[i].handle(), 0, VK_WHOLE_SIZE);
+    const vk::DescriptorBufferInfo views(views_[i].handle(), 0, VK_WHOLE_SIZE),
+        lookup(lookups_[i].handle(), 0, VK_WHOLE_SIZE);
     const vk::DescriptorImageInfo map(*sampler_, storage_->map().view(), vk::ImageLayout::eShaderReadOnlyOptimal);
     device_.handle().updateDescriptorSets(
         {vk::WriteDescriptorSet(*lookup_sets_[i], 0, 0, vk::DescriptorType::eStorageBuffer, {}, views),
@@ -116,7 +124,8 @@ void MapTechnique::write_constants(const Frame& frame) {
 
 std::vector<gpu::Binding> MapTechnique::receiver_bindings(const Frame& frame) const {
   using gpu::Binding;
-  return {Binding::uniform(cameras_[slot(frame)]), Binding::sampled(frame.depth, *sampler_), Binding::sampled(frame.normal, *sampler_)};
+  return {Binding::uniform(cameras_[slot(frame)]), Binding::sampled(frame.depth, *sampler_),
+          Binding::sampled(frame.normal, *sampler_)};
 }
 
 void MapTechnique::record(const Frame& frame, gpu::Recorder& recorder) {
@@ -126,14 +135,15 @@ void MapTechnique::record(const Frame& frame, gpu::Recorder& recorder) {
     visibility_.transition(commands, vk::ImageLayout::eGeneral, true);
     auto bindings = receiver_bindings(frame);
     bindings.push_back(gpu::Binding::storage(visibility_.view()));
-    lookup_.dispatch(commands, bindings, {}, {gpu::groups(options_.width, 8), gpu::groups(options_.height, 8), 1}, std::span(&set, 1));
+    lookup_.dispatch(commands, bindings, {}, {gpu::groups(options_.width, 8), gpu::groups(options_.height, 8), 1},
+                     std::span(&set, 1));
     visibility_.transition(commands, vk::ImageLayout::eShaderReadOnlyOptimal);
   });
 }
 
-std::vector<gpu::Allocation> MapTechnique::allocations() const {
-  std::vector<gpu::Allocation> result{visibility_.allocation()};
-  const auto append = [&](std::vector<gpu::Allocation> more) {
+std::vector<Allocation> MapTechnique::allocations() const {
+  std::vector<Allocation> result{visibility_.allocation()};
+  const auto append = [&](std::vector<Allocation> more) {
     for (auto& allocation : more) result.push_back(std::move(allocation));
   };
   if (storage_) append(storage_->allocations());
@@ -144,16 +154,20 @@ std::vector<gpu::Allocation> MapTechnique::allocations() const {
 }
 
 std::vector<std::string> MapTechnique::lookup_includes() const {
-  const auto path = [](const std::string& axis, const std::string& name) { return "shadow/" + axis + "/" + name + "/" + name + ".glsl"; };
-  return {path("parameterization", spec_.parameterization), path("storage", spec_.storage), path("filter", spec_.filter)};
+  const auto path = [](const std::string& axis, const std::string& name) {
+    return "shadow/" + axis + "/" + name + "/" + name + ".glsl";
+  };
+  return {path("parameterization", spec_.parameterization), path("storage", spec_.storage),
+          path("filter", spec_.filter)};
 }
 
 std::optional<OracleRays> MapTechnique::oracle_rays(const Frame& frame) {
   using enum gpu::BindingKind;
   const vk::DescriptorSetLayout lookup_layout = *lookup_layout_;
-  const gpu::ComputePass pass(device_, oracle_shader(spec_.parameterization),
-                              {uniform_buffer, sampled_image, sampled_image, storage_buffer, storage_buffer, storage_buffer}, 0,
-                              std::span(&lookup_layout, 1), frame.light.kind == LightKind::point);
+  const gpu::ComputePass pass(
+      device_, oracle_shader(spec_.parameterization),
+      {uniform_buffer, sampled_image, sampled_image, storage_buffer, storage_buffer, storage_buffer}, 0,
+      std::span(&lookup_layout, 1), frame.light.kind == LightKind::point);
   const size_t pixels = size_t{options_.width} * options_.height;
   const uint64_t bytes = pixels * sizeof(glm::vec3);
   const gpu::Buffer origins(device_, "oracle origins", bytes), texel_u(device_, "oracle texels", bytes),
@@ -162,7 +176,8 @@ std::optional<OracleRays> MapTechnique::oracle_rays(const Frame& frame) {
     auto bindings = receiver_bindings(frame);
     for (const gpu::Buffer* buffer : {&origins, &texel_u, &texel_v}) bindings.push_back(gpu::Binding::storage(*buffer));
     const vk::DescriptorSet set = lookup_set(frame);
-    pass.dispatch(commands, bindings, {}, {gpu::groups(options_.width, 8), gpu::groups(options_.height, 8), 1}, std::span(&set, 1));
+    pass.dispatch(commands, bindings, {}, {gpu::groups(options_.width, 8), gpu::groups(options_.height, 8), 1},
+                  std::span(&set, 1));
   });
   const auto read = [&](const gpu::Buffer& buffer) {
     std::vector<glm::vec3> values(pixels);

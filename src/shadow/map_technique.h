@@ -18,7 +18,7 @@ class MapTechnique final : public Technique {
 
   bool needs_readback() const override { return parameterization_->traits().needs_readback; }
   gpu::Image& visibility() override { return visibility_; }
-  std::vector<gpu::Allocation> allocations() const override;
+  std::vector<Allocation> allocations() const override;
   Counters counters() const override { return parameterization_->counters(); }
   std::span<const MapView> views() const override { return parameterization_->views(); }
   vk::DescriptorSetLayout lookup_layout() const override { return *lookup_layout_; }

@@ -8,8 +8,8 @@
 namespace shadewright::shared {
 #endif
 
-/// One view of a shadow map: a layer drawn through one matrix. Map space: u, v in [0, 1] over the layer, v down, and depth
-/// in [0, 1] growing away from the light.
+/// One view of a shadow map: a layer drawn through one matrix. Map space: u, v in [0, 1] over the layer, v down, and
+/// depth in [0, 1] growing away from the light.
 struct MapViewData {
   mat4 map_from_world;  // (u w, v w, depth w, w)
   mat4 world_from_map;
@@ -26,9 +26,9 @@ struct LookupData {
   uint light_kind;
   vec3 eye;
   float bias_scale;
-  vec2 map_size;      // texels
-  float pcf_radius;   // half width of the box in texels, or
-  float pcf_width;    // half width in metres; 0 = in texels
+  vec2 map_size;     // texels
+  float pcf_radius;  // half width of the box in texels, or
+  float pcf_width;   // half width in metres; 0 = in texels
 };
 
 #ifdef __cplusplus

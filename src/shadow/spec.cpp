@@ -55,16 +55,30 @@ const std::array<SpecAlias, 12> aliases{{{"sm", "uniform/depth/hard"},
 
 const std::array<SpecKey, 4> keys{{
     {"bias", "map", {}, 0, 100, false, "1", "scale of the automatic bias; 1 is right on every scene"},
-    {"fit", "uniform", {"scene", "view", "visible"}, 0, 0, false, "view",
+    {"fit",
+     "uniform",
+     {"scene", "view", "visible"},
+     0,
+     0,
+     false,
+     "view",
      "what receives: all of the scene, what the camera's frustum holds, or this frame's surface points"},
     {"radius", "pcf", {}, 0, 7, true, "1", "the filter's box reaches this many texels to each side"},
-    {"width", "pcf", {}, 0, 1000, false, "0", "the filter's whole width in metres, the same at every resolution; 0 = use radius"},
+    {"width",
+     "pcf",
+     {},
+     0,
+     1000,
+     false,
+     "0",
+     "the filter's whole width in metres, the same at every resolution; 0 = use radius"},
 }};
 
 constexpr uint32_t default_resolution = 2048, min_resolution = 16, max_resolution = 16384;
 
 const Part* find_part(std::string_view axis, std::string_view name) {
-  const auto* found = std::find_if(std::begin(parts), std::end(parts), [&](const Part& p) { return p.axis == axis && p.name == name; });
+  const auto* found =
+      std::find_if(std::begin(parts), std::end(parts), [&](const Part& p) { return p.axis == axis && p.name == name; });
   return found == std::end(parts) ? nullptr : found;
 }
 
@@ -85,11 +99,15 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
-std::string refuse_unbuilt(const Part& part) { return fmt::format("{} '{}' ({}) is not built yet", part.axis, part.name, part.stands_for); }
+std::string refuse_unbuilt(const Part& part) {
+  return fmt::format("{} '{}' ({}) is not built yet", part.axis, part.name, part.stands_for);
+}
 
 void check_part(const std::string& text, std::string_view axis, const std::string& name) {
   const Part* part = find_part(axis, name);
-  if (!part) throw InputError(fmt::format("spec '{}'", text), fmt::format("there is no {} '{}'", axis, name), fmt::format("choose one of {}; {}", names(axis), example));
+  if (!part)
+    throw InputError(fmt::format("spec '{}'", text), fmt::format("there is no {} '{}'", axis, name),
+                     fmt::format("choose one of {}; {}", names(axis), example));
   if (!part->built) throw InputError(fmt::format("spec '{}'", text), refuse_unbuilt(*part), example);
 }
 
@@ -103,7 +121,10 @@ std::optional<double> parse_number(std::string_view text) {
 uint32_t parse_resolution(const std::string& text, std::string_view digits) {
   const auto number = parse_number(digits);
   if (!number || *number != std::floor(*number) || *number < min_resolution || *number > max_resolution)
-    throw InputError(fmt::format("spec '{}'", text), fmt::format("resolution '{}' is not a whole number from {} to {}", digits, min_resolution, max_resolution), example);
+    throw InputError(
+        fmt::format("spec '{}'", text),
+        fmt::format("resolution '{}' is not a whole number from {} to {}", digits, min_resolution, max_resolution),
+        example);
   return static_cast<uint32_t>(*number);
 }
 
@@ -114,7 +135,8 @@ const SpecKey& find_key(std::string_view name) {
 }
 
 bool belongs(const SpecKey& key, const Spec& spec) {
-  return key.owner == "map" || key.owner == spec.parameterization || key.owner == spec.storage || key.owner == spec.filter;
+  return key.owner == "map" || key.owner == spec.parameterization || key.owner == spec.storage ||
+         key.owner == spec.filter;
 }
 
 std::string value_range(const SpecKey& key) {
@@ -134,8 +156,11 @@ void parse_key(Spec& spec, std::string_view item, std::set<std::string_view>& se
     if (belongs(k, spec)) own.push_back(k.name);
   const std::string choose = own.empty() ? "it takes no keys" : fmt::format("its keys are {}", fmt::join(own, ", "));
   if (key == keys.end()) throw InputError(subject, fmt::format("there is no key '{}'", name), choose);
-  if (!belongs(*key, spec)) throw InputError(subject, fmt::format("key '{}' belongs to '{}', which this spec does not use", name, key->owner), choose);
-  if (!seen.insert(name).second) throw InputError(subject, fmt::format("key '{}' is given twice", name), "give it once");
+  if (!belongs(*key, spec))
+    throw InputError(subject, fmt::format("key '{}' belongs to '{}', which this spec does not use", name, key->owner),
+                     choose);
+  if (!seen.insert(name).second)
+    throw InputError(subject, fmt::format("key '{}' is given twice", name), "give it once");
   bool good;
   if (!key->choices.empty()) {
     good = std::find(key->choices.begin(), key->choices.end(), value) != key->choices.end();
@@ -143,7 +168,9 @@ void parse_key(Spec& spec, std::string_view item, std::set<std::string_view>& se
     const auto number = parse_number(value);
     good = number && *number >= key->min && *number <= key->max && (!key->integer || *number == std::floor(*number));
   }
-  if (!good) throw InputError(subject, fmt::format("{}={} is out of range", name, value), fmt::format("give {}", value_range(*key)));
+  if (!good)
+    throw InputError(subject, fmt::format("{}={} is out of range", name, value),
+                     fmt::format("give {}", value_range(*key)));
   if (value != key->default_value) spec.values.emplace(name, value);
 }
 
@@ -161,8 +188,12 @@ std::string expand_alias(std::string_view text) {
 
 }  // namespace
 
-std::span<const SpecKey> spec_keys() { return keys; }
-std::span<const SpecAlias> spec_aliases() { return aliases; }
+std::span<const SpecKey> spec_keys() {
+  return keys;
+}
+std::span<const SpecAlias> spec_aliases() {
+  return aliases;
+}
 
 Spec parse_spec(std::string_view text) {
   Spec spec;
@@ -180,7 +211,8 @@ Spec parse_spec(std::string_view text) {
   const auto axes = split(head, '/');
   spec.parameterization = axes[0];
   if (spec.parameterization == "precomputed")
-    throw InputError(subject, "precomputed shadows in the frame are not built yet", "use 'shadewright bake' and 'query'");
+    throw InputError(subject, "precomputed shadows in the frame are not built yet",
+                     "use 'shadewright bake' and 'query'");
   if (spec.parameterization == "ray") {
     if (axes.size() > 1 || resolution || items.size() > 1)
       throw InputError(subject, "'ray' takes neither parts nor resolution nor keys", "write ray");
@@ -191,7 +223,8 @@ Spec parse_spec(std::string_view text) {
     std::vector<std::string> known;
     for (const SpecAlias& alias : aliases) known.push_back(alias.name);
     throw InputError(subject, fmt::format("there is no technique or parameterization '{}'", spec.parameterization),
-                     fmt::format("choose one of {} (aliases) or {} (parameterizations); {}", fmt::join(known, ", "), names("parameterization"), example));
+                     fmt::format("choose one of {} (aliases) or {} (parameterizations); {}", fmt::join(known, ", "),
+                                 names("parameterization"), example));
   }
   spec.storage = axes.size() > 1 ? axes[1] : "depth";
   spec.filter = axes.size() > 2 ? axes[2] : "hard";
@@ -228,7 +261,8 @@ std::vector<std::string> expand_sweep(std::string_view text) {
   const std::string whole(text);
   const uint32_t from = parse_resolution(whole, text.substr(at + 1, dots - at - 1));
   const uint32_t to = parse_resolution(whole, text.substr(dots + 2, end - dots - 2));
-  if (from > to) throw InputError(fmt::format("spec '{}'", text), "the sweep runs downwards", fmt::format("write {}..{}", to, from));
+  if (from > to)
+    throw InputError(fmt::format("spec '{}'", text), "the sweep runs downwards", fmt::format("write {}..{}", to, from));
   std::vector<std::string> result;
   for (uint32_t resolution = from; resolution <= to; resolution *= 2)
     result.push_back(fmt::format("{}@{}{}", text.substr(0, at), resolution, text.substr(end)));
@@ -236,16 +270,20 @@ std::vector<std::string> expand_sweep(std::string_view text) {
 }
 
 std::string spec_help() {
-  std::string text = "SPEC is parameterization/storage/filter@resolution,key=value,...; trailing parts may be left out.\n\nAliases\n";
+  std::string text =
+      "SPEC is parameterization/storage/filter@resolution,key=value,...; trailing parts may be left out.\n\nAliases\n";
   for (const SpecAlias& alias : aliases) text += fmt::format("  {:<8} {}\n", alias.name, alias.spec);
   for (const std::string_view axis : {"parameterization", "storage", "filter"}) {
     text += fmt::format("\n{}\n", axis);
     for (const Part& part : parts)
-      if (part.axis == axis) text += fmt::format("  {:<12} {}{}\n", part.name, part.stands_for, part.built ? "" : " (not built yet)");
+      if (part.axis == axis)
+        text += fmt::format("  {:<12} {}{}\n", part.name, part.stands_for, part.built ? "" : " (not built yet)");
   }
-  text += fmt::format("\nresolution: texels per axis, {} to {}, default {}\n\nKeys\n", min_resolution, max_resolution, default_resolution);
+  text += fmt::format("\nresolution: texels per axis, {} to {}, default {}\n\nKeys\n", min_resolution, max_resolution,
+                      default_resolution);
   for (const SpecKey& key : keys)
-    text += fmt::format("  {:<8} {:<8} {} (default {}): {}\n", key.name, key.owner, value_range(key), key.default_value, key.help);
+    text += fmt::format("  {:<8} {:<8} {} (default {}): {}\n", key.name, key.owner, value_range(key), key.default_value,
+                        key.help);
   text += "\nLights: uniform serves directional, spot and point lights (six faces).\n";
   return text;
 }

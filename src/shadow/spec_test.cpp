@@ -60,7 +60,8 @@ TEST(SpecTest, RefusesUnbuiltPartsByName) {
 }
 
 TEST(SpecTest, SweepsByPowersOfTwo) {
-  EXPECT_EQ(expand_sweep("sm@512..4096,bias=2"), (std::vector<std::string>{"sm@512,bias=2", "sm@1024,bias=2", "sm@2048,bias=2", "sm@4096,bias=2"}));
+  EXPECT_EQ(expand_sweep("sm@512..4096,bias=2"),
+            (std::vector<std::string>{"sm@512,bias=2", "sm@1024,bias=2", "sm@2048,bias=2", "sm@4096,bias=2"}));
   EXPECT_EQ(expand_sweep("pcf@300..700"), (std::vector<std::string>{"pcf@300", "pcf@600"}));
   EXPECT_EQ(expand_sweep("sm"), std::vector<std::string>{"sm"});
   EXPECT_THROW(expand_sweep("sm@1024..512"), InputError);

@@ -17,9 +17,11 @@ Picture Technique::debug_picture(std::string_view name) {
                    fmt::format("its debug images: {}", fmt::join(debug_names(), ", ")));
 }
 
-std::unique_ptr<Technique> make_technique(const gpu::Device& device, const Spec& spec, const TechniqueOptions& options) {
+std::unique_ptr<Technique> make_technique(const gpu::Device& device, const Spec& spec,
+                                          const TechniqueOptions& options) {
   if (options.width == 0 || options.height == 0 || options.frames_in_flight == 0)
-    throw InputError("technique options", "width, height and frames in flight must be positive", "give the camera's size");
+    throw InputError("technique options", "width, height and frames in flight must be positive",
+                     "give the camera's size");
   if (spec.parameterization == "ray")
     throw InputError(spec.text, "the ray-traced reference is not drawn on the device", "use shadewright::Tracer");
   return std::make_unique<MapTechnique>(device, spec, options);

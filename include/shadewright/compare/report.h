@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "shadewright/allocation.h"
 #include "shadewright/scene/scene.h"
 
 namespace shadewright::compare {
@@ -30,11 +31,6 @@ struct ErrorFigures {
 struct StageTime {
   std::string name;
   double median = 0;  ///< milliseconds
-};
-
-struct Allocation {
-  std::string name;
-  uint64_t bytes = 0;
 };
 
 /// Milliseconds over the repeats.

@@ -21,8 +21,8 @@ namespace shadewright::compare {
 struct StudyOptions {
   uint32_t width = 1920, height = 1080;  ///< pixels
   uint32_t repeat = 10;                  ///< timed frames after warm-up
-  uint32_t reference_samples = 16;       ///< of the filtered reference, in a pixel's footprint; 0 = no filtered reference
-  bool reference = true;                 ///< false: no truth, `run` measures no error
+  uint32_t reference_samples = 16;  ///< of the filtered reference, in a pixel's footprint; 0 = no filtered reference
+  bool reference = true;            ///< false: no truth, `run` measures no error
 };
 
 /// What a technique showed.
@@ -30,21 +30,23 @@ struct Outcome {
   TechniqueResult result;         ///< picture names empty
   std::vector<float> visibility;  ///< 0..1, row by row
   Picture difference;             ///< false shadow red, false lit blue, else transparent; empty without reference
-  std::vector<Picture> debug;  ///< as asked for
+  std::vector<Picture> debug;     ///< as asked for
 };
 
 class Study {
  public:
-  /// Uploads the scene, draws the camera pass and traces the reference. Everything referred to stays alive as long as the study.
-  Study(const gpu::Device& device, const Scene& scene, const Camera& camera, const Light& light, const StudyOptions& options,
-        const Progress& progress = no_progress);
+  /// Uploads the scene, draws the camera pass and traces the reference. Everything referred to stays alive as long as
+  /// the study.
+  Study(const gpu::Device& device, const Scene& scene, const Camera& camera, const Light& light,
+        const StudyOptions& options, const Progress& progress = no_progress);
   ~Study();
 
   /// Scene, device, image, camera, light, reference and camera pass, without results.
   const Report& report() const;
   /// Remarks for the report: the camera that was chosen, warnings of the loader.
   void add_notes(std::span<const std::string> notes);
-  /// Draws, times and measures one technique. `debug` names debug images of it to take along (see Technique::debug_names).
+  /// Draws, times and measures one technique. `debug` names debug images of it to take along (see
+  /// Technique::debug_names).
   Outcome run(const shadow::Spec& spec, std::span<const std::string> debug = {});
 
   std::span<const SurfacePoint> points() const;
@@ -57,8 +59,8 @@ class Study {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Runs every spec, writes pictures, report.json, report.csv and index.html into `folder` (made if need be), and returns the
-/// report. `before` adds what changed against an earlier one.
+/// Runs every spec, writes pictures, report.json, report.csv and index.html into `folder` (made if need be), and
+/// returns the report. `before` adds what changed against an earlier one.
 Report compare_techniques(Study& study, std::span<const shadow::Spec> specs, const std::filesystem::path& folder,
                           const Report* before = nullptr, const Progress& progress = no_progress);
 

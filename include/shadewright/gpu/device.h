@@ -26,8 +26,9 @@ struct DeviceInfo {
 };
 
 struct DeviceOptions {
-  std::string select;       ///< part of a name (any case) or an index; empty = discrete, then integrated, then CPU
-  bool validation = false;  ///< turn the Khronos validation layer on, with synchronization checks; messages are collected
+  std::string select;  ///< part of a name (any case) or an index; empty = discrete, then integrated, then CPU
+  bool validation =
+      false;  ///< turn the Khronos validation layer on, with synchronization checks; messages are collected
 };
 
 /// Handles that the caller owns and keeps alive for as long as the Device. The device must have been created with

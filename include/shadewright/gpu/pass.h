@@ -1,4 +1,5 @@
-// Pipelines with their bindings: a compute pass is one shader and one call to dispatch it; a graphics pass draws triangles.
+// Pipelines with their bindings: a compute pass is one shader and one call to dispatch it; a graphics pass draws
+// triangles.
 #pragma once
 
 #include <cstdint>
@@ -40,17 +41,19 @@ vk::raii::DescriptorSetLayout make_set_layout(const Device& device, std::span<co
 /// Clamped sampler; outside the image a depth map reads 1, which is lit.
 vk::raii::Sampler make_sampler(const Device& device, vk::Filter filter);
 
-/// One compute shader whose set 0 is pushed at each dispatch. `sets` are further layouts (set 1, ...) that the caller binds;
-/// `constant` is the shader's specialization constant 0, if it has one.
+/// One compute shader whose set 0 is pushed at each dispatch. `sets` are further layouts (set 1, ...) that the caller
+/// binds; `constant` is the shader's specialization constant 0, if it has one.
 class ComputePass {
  public:
   ComputePass() = default;
-  ComputePass(const Device& device, std::span<const uint32_t> spirv, std::vector<BindingKind> kinds, uint32_t push_bytes = 0,
-              std::span<const vk::DescriptorSetLayout> sets = {}, vk::Bool32 constant = VK_FALSE);
+  ComputePass(const Device& device, std::span<const uint32_t> spirv, std::vector<BindingKind> kinds,
+              uint32_t push_bytes = 0, std::span<const vk::DescriptorSetLayout> sets = {},
+              vk::Bool32 constant = VK_FALSE);
 
   /// Binds, pushes and dispatches `groups` work groups. `push` must have the size given at construction.
-  void dispatch(const vk::raii::CommandBuffer& commands, std::span<const Binding> bindings, std::span<const std::byte> push,
-                vk::Extent3D groups, std::span<const vk::DescriptorSet> sets = {}) const;
+  void dispatch(const vk::raii::CommandBuffer& commands, std::span<const Binding> bindings,
+                std::span<const std::byte> push, vk::Extent3D groups,
+                std::span<const vk::DescriptorSet> sets = {}) const;
 
  private:
   std::vector<BindingKind> kinds_;
@@ -99,6 +102,8 @@ std::span<const std::byte> bytes_of(const T& value) {
 }
 
 /// Work groups of `size` that cover `extent`.
-inline uint32_t groups(uint32_t extent, uint32_t size) { return (extent + size - 1) / size; }
+inline uint32_t groups(uint32_t extent, uint32_t size) {
+  return (extent + size - 1) / size;
+}
 
 }  // namespace shadewright::gpu

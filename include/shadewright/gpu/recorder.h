@@ -1,8 +1,8 @@
 // Records a frame as named stages and tells afterwards what each of them took.
 //
-// On a CPU device each stage is a submission of its own, timed by the wall clock (timestamps lie there in frames that mix
-// raster and compute); elsewhere the whole frame is one submission with timestamps. Into a caller's command buffer nothing is
-// submitted and nothing is timed.
+// On a CPU device each stage is a submission of its own, timed by the wall clock (timestamps lie there in frames that
+// mix raster and compute); elsewhere the whole frame is one submission with timestamps. Into a caller's command buffer
+// nothing is submitted and nothing is timed.
 #pragma once
 
 #include <chrono>

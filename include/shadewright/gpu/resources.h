@@ -9,15 +9,10 @@
 #include <string>
 #include <type_traits>
 
+#include "shadewright/allocation.h"
 #include "shadewright/gpu/device.h"
 
 namespace shadewright::gpu {
-
-/// A named amount of device memory, as the report lists it.
-struct Allocation {
-  std::string name;
-  uint64_t bytes = 0;
-};
 
 enum class HostAccess { none, write, read };
 
@@ -56,7 +51,8 @@ struct ImageDesc {
   bool array_view = false;  ///< the view is an array even with one layer (shadow maps)
 };
 
-/// A 2-D image or array with memory of its own. Knows the layout it was last put into, so that a transition is one call.
+/// A 2-D image or array with memory of its own. Knows the layout it was last put into, so that a transition is one
+/// call.
 class Image {
  public:
   Image() = default;
@@ -73,7 +69,8 @@ class Image {
   Allocation allocation() const { return {desc_.name, bytes_}; }
   explicit operator bool() const { return bytes_ != 0; }
 
-  /// Puts the whole image into `layout`, after everything before and before everything after. `discard` forgets the content.
+  /// Puts the whole image into `layout`, after everything before and before everything after. `discard` forgets the
+  /// content.
   void transition(const vk::raii::CommandBuffer& commands, vk::ImageLayout layout, bool discard = false);
 
  private:
@@ -101,7 +98,8 @@ Buffer make_buffer(const Device& device, std::string name, std::span<const T> da
   return buffer;
 }
 
-/// Reads one layer of `image` back and waits: tightly packed rows of `bytes_per_pixel`. Leaves it in transfer-source layout.
+/// Reads one layer of `image` back and waits: tightly packed rows of `bytes_per_pixel`. Leaves it in transfer-source
+/// layout.
 std::vector<std::byte> read_back(const Device& device, Image& image, uint32_t bytes_per_pixel, uint32_t layer = 0);
 /// Reads the first `bytes` of `buffer` back and waits.
 std::vector<std::byte> read_back(const Device& device, const Buffer& buffer, uint64_t bytes);

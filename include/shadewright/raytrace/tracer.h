@@ -11,8 +11,8 @@
 
 namespace shadewright {
 
-/// A point of a surface, in world space relative to Scene::origin. `normal` is the geometric normal (unit, flipped towards the
-/// camera); a zero normal marks "nothing here".
+/// A point of a surface, in world space relative to Scene::origin. `normal` is the geometric normal (unit, flipped
+/// towards the camera); a zero normal marks "nothing here".
 struct SurfacePoint {
   glm::vec3 position{0.0f};
   glm::vec3 normal{0.0f};
@@ -32,8 +32,8 @@ struct Segment {
 struct PrimaryHit {
   float distance = 0;  ///< along the camera's axis (view depth), metres; 0 = background
   uint32_t instance = ~0u;
-  uint32_t triangle = ~0u;         ///< index into Mesh::triangles
-  glm::vec3 normal{0.0f};          ///< geometric, unit, flipped towards the camera; zero = background
+  uint32_t triangle = ~0u;  ///< index into Mesh::triangles
+  glm::vec3 normal{0.0f};   ///< geometric, unit, flipped towards the camera; zero = background
 };
 
 /// How image pixels map to world: pixel (x, y)'s centre is at (x + 0.5, y + 0.5), y down.
@@ -52,17 +52,17 @@ class Tracer {
   Tracer(Tracer&&) noexcept;
   Tracer& operator=(Tracer&&) noexcept;
 
-  /// For each point 1 where the light reaches it, else 0. Points that are invalid, face away from the light, or lie outside a
-  /// spot's cone get 0. `row_length` is the image's width if the points are an image (packets are then made of tiles), or 0.
-  /// Rays start off the surface by `position_error` of the point, along the normal (no scene constant); `eye` is the camera
-  /// that the points were seen from.
+  /// For each point 1 where the light reaches it, else 0. Points that are invalid, face away from the light, or lie
+  /// outside a spot's cone get 0. `row_length` is the image's width if the points are an image (packets are then made
+  /// of tiles), or 0. Rays start off the surface by `position_error` of the point, along the normal (no scene
+  /// constant); `eye` is the camera that the points were seen from.
   std::vector<uint8_t> visible(std::span<const SurfacePoint> points, const glm::vec3& eye, const Light& light,
                                uint32_t row_length = 0) const;
 
   /// As `visible`, but the mean over `samples` positions in each pixel's footprint on the point's tangent plane
   /// (stratified, the same every run). `points` is the image of `grid`, row by row.
-  std::vector<float> visible_supersampled(std::span<const SurfacePoint> points, const PixelGrid& grid, const Light& light,
-                                          uint32_t samples) const;
+  std::vector<float> visible_supersampled(std::span<const SurfacePoint> points, const PixelGrid& grid,
+                                          const Light& light, uint32_t samples) const;
 
   /// For each segment 1 where it is free, else 0 (inactive: 1). No offset is applied: the caller owns the tolerance.
   std::vector<uint8_t> unoccluded(std::span<const Segment> segments, uint32_t row_length = 0) const;
@@ -76,8 +76,8 @@ class Tracer {
 };
 
 /// Bound of the distance between a float surface point (a camera pass's) and its true plane: eye at `eye`, metres.
-/// Derived from the float arithmetic of interpolating 1/w over the screen and of world coordinates; used by the reference's
-/// ray offset and by every technique's bias (architecture, section 4).
+/// Derived from the float arithmetic of interpolating 1/w over the screen and of world coordinates; used by the
+/// reference's ray offset and by every technique's bias (architecture, section 4).
 float position_error(const glm::vec3& position, const glm::vec3& eye);
 
 }  // namespace shadewright

@@ -16,8 +16,8 @@ struct CameraData;
 
 namespace shadewright::render {
 
-/// A perspective camera as a matrix: any depth convention (standard or reversed, finite or infinite far) and any jitter, since
-/// both are read off the matrix.
+/// A perspective camera as a matrix: any depth convention (standard or reversed, finite or infinite far) and any
+/// jitter, since both are read off the matrix.
 struct CameraView {
   glm::dmat4 clip_from_world{1.0};  ///< Vulkan clip space
   uint32_t width = 0, height = 0;   ///< pixels
@@ -34,7 +34,8 @@ struct CameraView {
 /// Our own camera: reversed depth, infinite far plane.
 CameraView make_view(const Camera& camera, double near, uint32_t width, uint32_t height);
 
-/// The shaders' form of `view`. InputError for an orthographic camera (its depth tells no distance along a ray from the eye).
+/// The shaders' form of `view`. InputError for an orthographic camera (its depth tells no distance along a ray from the
+/// eye).
 shared::CameraData camera_data(const CameraView& view);
 
 /// Draws depth (D32, reversed) and octahedral geometric normals (RG16 snorm), and the albedo if wanted (RGBA8).
@@ -48,7 +49,7 @@ class CameraPass {
   gpu::Image& depth() { return depth_; }
   gpu::Image& normal() { return normal_; }
   gpu::Image& albedo() { return albedo_; }
-  std::vector<gpu::Allocation> allocations() const;
+  std::vector<Allocation> allocations() const;
 
   /// Reads depth and normals back as surface points, row by row; pixels without geometry have a zero normal.
   std::vector<SurfacePoint> surface_points(const CameraView& view);

@@ -14,10 +14,10 @@
 
 namespace shadewright::render {
 
-/// Linear radiance of each point: the light where `visibility` (0..1) lets it, ambient from the sky, a sky behind. `albedo` is
-/// linear RGBA8 a pixel. Sizes: width * height each.
-std::vector<glm::vec3> shade(std::span<const SurfacePoint> points, std::span<const uint8_t> albedo, std::span<const float> visibility,
-                             const Light& light, const Camera& camera);
+/// Linear radiance of each point: the light where `visibility` (0..1) lets it, ambient from the sky, a sky behind.
+/// `albedo` is linear RGBA8 a pixel. Sizes: width * height each.
+std::vector<glm::vec3> shade(std::span<const SurfacePoint> points, std::span<const uint8_t> albedo,
+                             std::span<const float> visibility, const Light& light, const Camera& camera);
 
 /// Linear radiance to a display picture (sRGB).
 Picture to_picture(std::span<const glm::vec3> radiance, uint32_t width, uint32_t height);

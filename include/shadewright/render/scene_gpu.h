@@ -12,8 +12,8 @@
 
 namespace shadewright::render {
 
-/// Device copy of a scene's geometry. Triangles are grouped into clusters of neighbours (meshoptimizer), so that a view draws
-/// only what it may see. Instances of one mesh share its vertices.
+/// Device copy of a scene's geometry. Triangles are grouped into clusters of neighbours (meshoptimizer), so that a view
+/// draws only what it may see. Instances of one mesh share its vertices.
 class SceneGpu {
  public:
   /// Uploads `scene` as it stands at `time` seconds, and waits.
@@ -26,19 +26,19 @@ class SceneGpu {
   std::span<const Box> instance_bounds() const { return instance_bounds_; }
   uint64_t triangle_count() const { return triangle_count_; }
 
-  const gpu::Buffer& positions() const { return positions_; }          ///< float3 a vertex, mesh space
-  const gpu::Buffer& indices() const { return indices_; }              ///< uint32, cluster after cluster
-  const gpu::Buffer& triangle_normals() const { return normals_; }     ///< octahedral 2 x snorm16 a triangle, mesh space
-  const gpu::Buffer& instances() const { return instances_; }          ///< shared::InstanceData
-  const gpu::Buffer& clusters() const { return clusters_; }            ///< shared::ClusterData
+  const gpu::Buffer& positions() const { return positions_; }       ///< float3 a vertex, mesh space
+  const gpu::Buffer& indices() const { return indices_; }           ///< uint32, cluster after cluster
+  const gpu::Buffer& triangle_normals() const { return normals_; }  ///< octahedral 2 x snorm16 a triangle, mesh space
+  const gpu::Buffer& instances() const { return instances_; }       ///< shared::InstanceData
+  const gpu::Buffer& clusters() const { return clusters_; }         ///< shared::ClusterData
   uint32_t cluster_count() const { return cluster_count_; }
   /// Sum over clusters of how many instances show them: the longest list of visible instances.
   uint32_t list_capacity() const { return list_capacity_; }
-  /// A world-space point of each cluster's nearest instance is found from these: centres of clusters shown once, else the
-  /// mesh's instances' centres. Used to draw front to back.
+  /// A world-space point of each cluster's nearest instance is found from these: centres of clusters shown once, else
+  /// the mesh's instances' centres. Used to draw front to back.
   std::vector<uint32_t> front_to_back(const glm::dvec3& eye) const;
 
-  std::vector<gpu::Allocation> allocations() const;
+  std::vector<Allocation> allocations() const;
 
  private:
   const gpu::Device& device_;
@@ -46,7 +46,7 @@ class SceneGpu {
   std::vector<Box> instance_bounds_;
   uint64_t triangle_count_ = 0;
   uint32_t cluster_count_ = 0, list_capacity_ = 0;
-  std::vector<glm::vec3> cluster_centers_;  ///< world, of the cluster's first instance
+  std::vector<glm::vec3> cluster_centers_;     ///< world, of the cluster's first instance
   std::vector<glm::uvec2> cluster_instances_;  ///< first, count
   std::vector<glm::vec3> instance_centers_;    ///< in device order
   gpu::Buffer positions_, indices_, normals_, instances_, clusters_;
@@ -58,11 +58,12 @@ enum class SceneInputs : uint32_t { position = 4, surface = 5, colored_surface =
 /// The draws of one consumer (a camera, a light's views): culled on the device into indirect commands.
 class CulledDraws {
  public:
-  /// Room for `max_views` views of `scene`, for each of `frames_in_flight` frames. `name` prefixes the allocations' names.
+  /// Room for `max_views` views of `scene`, for each of `frames_in_flight` frames. `name` prefixes the allocations'
+  /// names.
   CulledDraws(const SceneGpu& scene, uint32_t max_views, uint32_t frames_in_flight, const std::string& name);
 
-  /// What each view must contain: at most 10 half-spaces a view, world space. `order` lists the clusters in drawing order
-  /// (empty = as stored). Written for the frame `slot` < frames_in_flight; host writes only.
+  /// What each view must contain: at most 10 half-spaces a view, world space. `order` lists the clusters in drawing
+  /// order (empty = as stored). Written for the frame `slot` < frames_in_flight; host writes only.
   void set_views(uint32_t slot, std::span<const std::vector<Plane>> views, std::span<const uint32_t> order = {});
 
   /// Culls all views of `slot`. A barrier must follow before `draw`.
@@ -72,7 +73,7 @@ class CulledDraws {
 
   /// Gives a graphics pass that draws these the vertex inputs of render/scene_vertex.glsl, as many as its shader reads.
   static void set_vertex_input(gpu::GraphicsDesc& desc, SceneInputs inputs);
-  std::vector<gpu::Allocation> allocations() const;
+  std::vector<Allocation> allocations() const;
 
  private:
   const SceneGpu& scene_;

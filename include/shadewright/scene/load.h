@@ -20,8 +20,9 @@ struct LoadedScene {
 
 /// Reads `source`: a file (glTF, GLB, OBJ, anything assimp reads; Z-up files are turned) or
 /// "builtin:NAME[?key=value&...]". A file's name may be followed by what the file does not tell: "FILE?up=z" turns one
-/// that is Z-up without saying so, "FILE?without=SkyBox,BB_*" leaves out the meshes of those nodes (not what hangs below them). Shared geometry stays shared, node transforms are composed in double. Throws
-/// InputError, one sentence, for anything that is missing, empty, truncated, not a scene, or without triangles.
+/// that is Z-up without saying so, "FILE?without=SkyBox,BB_*" leaves out the meshes of those nodes (not what hangs
+/// below them). Shared geometry stays shared, node transforms are composed in double. Throws InputError, one sentence,
+/// for anything that is missing, empty, truncated, not a scene, or without triangles.
 LoadedScene load_scene(const std::string& source, const Progress& progress = no_progress);
 
 /// Writes `scene` as a binary glTF that loads back to the same geometry, cameras and lights (KHR_lights_punctual),

@@ -12,10 +12,10 @@ namespace shadewright::shadow {
 
 /// A parsed spec. Every key is known, belongs to a part of this technique and is in range.
 struct Spec {
-  std::string text;              ///< as given
-  std::string parameterization;  ///< "uniform", ..., or "precomputed", or "ray"
-  std::string storage, filter;   ///< empty for "precomputed" and "ray"
-  uint32_t resolution = 0;       ///< texels per axis; 0 where it has no meaning ("ray")
+  std::string text;                                        ///< as given
+  std::string parameterization;                            ///< "uniform", ..., or "precomputed", or "ray"
+  std::string storage, filter;                             ///< empty for "precomputed" and "ray"
+  uint32_t resolution = 0;                                 ///< texels per axis; 0 where it has no meaning ("ray")
   std::map<std::string, std::string, std::less<>> values;  ///< as given, defaults left out
 
   /// The whole spec with aliases written out, keys in alphabetical order: "uniform/depth/pcf@2048,radius=2".
@@ -29,7 +29,7 @@ struct Spec {
 /// One key of a spec.
 struct SpecKey {
   std::string name;
-  std::string owner;  ///< "map" (every map technique) or a parameterization, storage or filter
+  std::string owner;                 ///< "map" (every map technique) or a parameterization, storage or filter
   std::vector<std::string> choices;  ///< empty: a number
   double min = 0, max = 0;
   bool integer = false;
@@ -46,11 +46,12 @@ struct SpecAlias {
 };
 std::span<const SpecAlias> spec_aliases();
 
-/// Parses one spec. InputError says what is wrong with it, with an example that works; combinations that make no sense, and
-/// parts that are not built yet, are refused by name.
+/// Parses one spec. InputError says what is wrong with it, with an example that works; combinations that make no sense,
+/// and parts that are not built yet, are refused by name.
 Spec parse_spec(std::string_view text);
 
-/// Expands a sweep "sm@512..4096" into specs at each power of two from the first to the last; others stand for themselves.
+/// Expands a sweep "sm@512..4096" into specs at each power of two from the first to the last; others stand for
+/// themselves.
 std::vector<std::string> expand_sweep(std::string_view text);
 
 /// The table of aliases, parts, keys and legal combinations, for `--help-spec`.

@@ -65,8 +65,8 @@ struct TechniqueOptions {
 /// Named results of a frame: one number or several ("effective_resolution": 2048, 2048).
 using Counters = std::map<std::string, std::vector<double>>;
 
-/// For the oracle: per pixel, row by row, the point from which the light must be seen (x infinite: lit without asking; no points
-/// for filters that ask more than one texel), and a texel's half extents on the receiver. World space.
+/// For the oracle: per pixel, row by row, the point from which the light must be seen (x infinite: lit without asking;
+/// no points for filters that ask more than one texel), and a texel's half extents on the receiver. World space.
 struct OracleRays {
   std::vector<glm::vec3> origins, texel_u, texel_v;
 };
@@ -77,8 +77,8 @@ class Technique {
 
   /// Finds matrices and whatever else the frame needs. May submit and wait (then the camera's buffers must be
   /// complete), unless readback was forbidden: then a Recorder of the caller's command buffer will do. The frame that
-  /// used this slot before (`index` less `frames_in_flight`) must have finished on the device. InputError for a light or
-  /// camera that this technique can't serve.
+  /// used this slot before (`index` less `frames_in_flight`) must have finished on the device. InputError for a light
+  /// or camera that this technique can't serve.
   virtual void prepare(const Frame& frame, gpu::Recorder& recorder) = 0;
   /// Records map and look-up; never submits or waits. The visibility image is left in shader-read layout.
   virtual void record(const Frame& frame, gpu::Recorder& recorder) = 0;
@@ -91,7 +91,7 @@ class Technique {
   virtual bool needs_readback() const { return false; }
   /// R8, 1 = lit, of the size in the options. Pixels without geometry are lit, faces turned away are not.
   virtual gpu::Image& visibility() = 0;
-  virtual std::vector<gpu::Allocation> allocations() const = 0;
+  virtual std::vector<Allocation> allocations() const = 0;
   virtual Counters counters() const { return {}; }
 
   /// The views of the last prepared frame.

@@ -24,11 +24,12 @@ std::string file_stem(std::string_view spec, std::set<std::string>& taken) {
 
 }  // namespace
 
-Report compare_techniques(Study& study, std::span<const shadow::Spec> specs, const std::filesystem::path& folder, const Report* before,
-                          const Progress& progress) {
+Report compare_techniques(Study& study, std::span<const shadow::Spec> specs, const std::filesystem::path& folder,
+                          const Report* before, const Progress& progress) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) throw FailureError(folder.string(), "can't be made (" + error.message() + ")", "choose another place with -o");
+  if (error)
+    throw FailureError(folder.string(), "can't be made (" + error.message() + ")", "choose another place with -o");
   Report report = study.report();
   const auto write = [&](const Picture& picture, std::string name) {
     write_png(picture, folder / name);
@@ -43,8 +44,10 @@ Report compare_techniques(Study& study, std::span<const shadow::Spec> specs, con
     progress(specs[i].text, static_cast<double>(i) / static_cast<double>(specs.size()));
     Outcome outcome = study.run(specs[i]);
     const std::string stem = file_stem(specs[i].text, stems);
-    outcome.result.image = write(render::to_picture(study.shade(outcome.visibility), report.width, report.height), stem + ".png");
-    outcome.result.mask = write(render::to_picture(outcome.visibility, report.width, report.height), stem + "-mask.png");
+    outcome.result.image =
+        write(render::to_picture(study.shade(outcome.visibility), report.width, report.height), stem + ".png");
+    outcome.result.mask =
+        write(render::to_picture(outcome.visibility, report.width, report.height), stem + "-mask.png");
     outcome.result.difference = write(outcome.difference, stem + "-difference.png");
     report.results.push_back(std::move(outcome.result));
   }

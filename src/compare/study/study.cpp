@@ -17,7 +17,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double milliseconds_since(Clock::time_point start) { return std::chrono::duration<double, std::milli>(Clock::now() - start).count(); }
+double milliseconds_since(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
 
 double median(std::vector<double> values) {
   if (values.empty()) return 0;
@@ -58,7 +60,8 @@ class StageLog {
 
 std::vector<float> to_floats(std::span<const std::byte> bytes) {
   std::vector<float> values(bytes.size());
-  std::transform(bytes.begin(), bytes.end(), values.begin(), [](std::byte b) { return static_cast<float>(std::to_integer<uint8_t>(b)) / 255.0f; });
+  std::transform(bytes.begin(), bytes.end(), values.begin(),
+                 [](std::byte b) { return static_cast<float>(std::to_integer<uint8_t>(b)) / 255.0f; });
   return values;
 }
 
@@ -81,7 +84,8 @@ struct Study::Impl {
   std::vector<uint8_t> reference, facing;
   std::vector<float> filtered;
 
-  Impl(const gpu::Device& device, const Scene& scene, const Camera& camera, const Light& light, const StudyOptions& options)
+  Impl(const gpu::Device& device, const Scene& scene, const Camera& camera, const Light& light,
+       const StudyOptions& options)
       : device(device),
         scene(scene),
         camera(camera),
@@ -129,7 +133,8 @@ struct Study::Impl {
     report.reference_lit_fraction = compared == 0 ? 0 : static_cast<double>(lit) / static_cast<double>(compared);
     progress("filtered reference", 0.5);
     if (options.reference_samples > 1)
-      filtered = tracer->visible_supersampled(points, {options.width, options.height, camera}, light, options.reference_samples);
+      filtered = tracer->visible_supersampled(points, {options.width, options.height, camera}, light,
+                                              options.reference_samples);
   }
 
   shadow::Frame frame() {
@@ -203,7 +208,7 @@ struct Study::Impl {
     outcome.result.technique = spec.text;
     outcome.result.spec = spec.canonical();
     outcome.result.milliseconds = log.timing();
-    for (const auto& allocation : technique->allocations()) outcome.result.memory.push_back({allocation.name, allocation.bytes});
+    outcome.result.memory = technique->allocations();
     outcome.result.counters = technique->counters();
     outcome.visibility = to_floats(gpu::read_back(device, technique->visibility(), 1));
     const auto oracle = options.reference ? technique->oracle_rays(current) : std::nullopt;
@@ -213,8 +218,8 @@ struct Study::Impl {
   }
 };
 
-Study::Study(const gpu::Device& device, const Scene& scene, const Camera& camera, const Light& light, const StudyOptions& options,
-             const Progress& progress)
+Study::Study(const gpu::Device& device, const Scene& scene, const Camera& camera, const Light& light,
+             const StudyOptions& options, const Progress& progress)
     : impl_(std::make_unique<Impl>(device, scene, camera, light, options)) {
   Report& report = impl_->report;
   report.scene_name = scene.name;
@@ -234,12 +239,18 @@ Study::Study(const gpu::Device& device, const Scene& scene, const Camera& camera
 
 Study::~Study() = default;
 
-const Report& Study::report() const { return impl_->report; }
+const Report& Study::report() const {
+  return impl_->report;
+}
 void Study::add_notes(std::span<const std::string> notes) {
   impl_->report.notes.insert(impl_->report.notes.end(), notes.begin(), notes.end());
 }
-std::span<const SurfacePoint> Study::points() const { return impl_->points; }
-std::span<const uint8_t> Study::reference() const { return impl_->reference; }
+std::span<const SurfacePoint> Study::points() const {
+  return impl_->points;
+}
+std::span<const uint8_t> Study::reference() const {
+  return impl_->reference;
+}
 
 Outcome Study::run(const shadow::Spec& spec, std::span<const std::string> debug) {
   Outcome outcome = spec.parameterization == "ray" ? impl_->run_reference(spec) : impl_->run_technique(spec, debug);

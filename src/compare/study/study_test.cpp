@@ -78,10 +78,12 @@ TEST_F(StudyTest, WorldWidthDoesNotFollowTheResolution) {
   const auto difference = [&](const char* a, const char* b) {
     const auto first = run(study, a).visibility, second = run(study, b).visibility;
     double sum = 0;
-    for (size_t i = 0; i < first.size(); ++i) sum += std::abs(static_cast<double>(first[i]) - static_cast<double>(second[i]));
+    for (size_t i = 0; i < first.size(); ++i)
+      sum += std::abs(static_cast<double>(first[i]) - static_cast<double>(second[i]));
     return sum / static_cast<double>(first.size());
   };
-  EXPECT_LT(difference("pcf@2048,width=0.03", "pcf@4096,width=0.03"), 0.5 * difference("pcf@512,radius=4", "pcf@4096,radius=4"));
+  EXPECT_LT(difference("pcf@2048,width=0.03", "pcf@4096,width=0.03"),
+            0.5 * difference("pcf@512,radius=4", "pcf@4096,radius=4"));
 }
 
 TEST_F(StudyTest, FarFromTheOriginAndTinyScenesStayRight) {
@@ -169,7 +171,8 @@ TEST_F(StudyTest, WritesTheWholeReport) {
   Study study(device(), scene, scene.cameras.front(), scene.lights.front(), options);
   const std::filesystem::path folder = std::filesystem::temp_directory_path() / "shadewright-study-test";
   std::filesystem::remove_all(folder);
-  const std::vector<shadow::Spec> specs{shadow::parse_spec("sm@512"), shadow::parse_spec("pcf@512"), shadow::parse_spec("sm@512")};
+  const std::vector<shadow::Spec> specs{shadow::parse_spec("sm@512"), shadow::parse_spec("pcf@512"),
+                                        shadow::parse_spec("sm@512")};
   const Report report = compare_techniques(study, specs, folder);
   ASSERT_EQ(report.results.size(), 3u);
   EXPECT_NE(report.results[0].image, report.results[2].image);
@@ -177,7 +180,8 @@ TEST_F(StudyTest, WritesTheWholeReport) {
     EXPECT_GT(result.milliseconds.median, 0);
     EXPECT_GE(result.frame_milliseconds, result.milliseconds.median);
     EXPECT_GT(result.memory_bytes(), 512u * 512u * 4u);
-    for (const std::string& name : {result.image, result.mask, result.difference}) EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
+    for (const std::string& name : {result.image, result.mask, result.difference})
+      EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
   }
   std::ifstream json(folder / "report.json");
   const std::string text{std::istreambuf_iterator<char>(json), {}};

@@ -28,7 +28,7 @@ class Parameterization {
   virtual void prepare(const Frame& frame, gpu::Recorder& recorder) = 0;
   virtual std::span<const MapView> views() const = 0;
   virtual Counters counters() const = 0;
-  virtual std::vector<gpu::Allocation> allocations() const { return {}; }
+  virtual std::vector<Allocation> allocations() const { return {}; }
 };
 
 }  // namespace shadewright::shadow

@@ -11,7 +11,8 @@ namespace shadewright::shadow {
 
 namespace {
 
-/// The nearest a perspective light looks, as a share of the farthest receiver's distance: float depth serves this range well.
+/// The nearest a perspective light looks, as a share of the farthest receiver's distance: float depth serves this range
+/// well.
 constexpr double near_share = 1e-4;
 
 glm::dvec3 view_coordinates(const LightFrame& light, const glm::dvec3& world) {
@@ -41,9 +42,12 @@ std::vector<LightFrame> light_frames(const Light& light) {
     return LightFrame{look_along(eye, direction, {0, 1, 0}), light.kind != LightKind::directional, max_tangent};
   };
   switch (light.kind) {
-    case LightKind::directional: return {frame(light.direction, 0)};
-    case LightKind::spot: return {frame(light.direction, std::tan(light.outer_angle))};
-    case LightKind::point: break;
+    case LightKind::directional:
+      return {frame(light.direction, 0)};
+    case LightKind::spot:
+      return {frame(light.direction, std::tan(light.outer_angle))};
+    case LightKind::point:
+      break;
   }
   std::vector<LightFrame> faces;
   for (int axis = 0; axis < 3; ++axis)
@@ -103,7 +107,8 @@ LightFrame turn_to_fit(const LightFrame& light, std::span<const glm::dvec3> poin
   }
   const auto area = [](const Box& box) { return box.empty() ? 0.0 : box.size().x * box.size().y; };
   const auto best = static_cast<size_t>(
-      std::min_element(bounds.begin(), bounds.end(), [&](const Box& a, const Box& b) { return area(a) < area(b); }) - bounds.begin());
+      std::min_element(bounds.begin(), bounds.end(), [&](const Box& a, const Box& b) { return area(a) < area(b); }) -
+      bounds.begin());
   glm::dmat4 turn(1.0);
   turn[0] = {axes[best].x, -axes[best].y, 0, 0};
   turn[1] = {axes[best].y, axes[best].x, 0, 0};
@@ -122,8 +127,10 @@ MapView fit_view(const LightFrame& light, const Box& receivers, uint32_t resolut
   }
   // A receiver that is a point or a line in the light's view still needs an area.
   const glm::dvec2 center(receivers.center());
-  const double smallest = 1e-6 * std::max({receivers.size().x, receivers.size().y, std::abs(center.x), std::abs(center.y), 1e-9});
-  const glm::dvec2 half = glm::max(glm::dvec2(0.5 * receivers.size()), smallest) * (1.0 + 2.0 * border_texels / resolution);
+  const double smallest =
+      1e-6 * std::max({receivers.size().x, receivers.size().y, std::abs(center.x), std::abs(center.y), 1e-9});
+  const glm::dvec2 half =
+      glm::max(glm::dvec2(0.5 * receivers.size()), smallest) * (1.0 + 2.0 * border_texels / resolution);
   const double depth = std::max(receivers.size().z, smallest);
   if (light.perspective) {
     const double near = -receivers.max.z * 0.99, far = -receivers.min.z * 1.01;
@@ -136,12 +143,14 @@ MapView fit_view(const LightFrame& light, const Box& receivers, uint32_t resolut
   return view;
 }
 
-std::vector<Plane> caster_planes(const MapView& view, const render::CameraView& camera, const Light& light, bool receivers_in_camera) {
+std::vector<Plane> caster_planes(const MapView& view, const render::CameraView& camera, const Light& light,
+                                 bool receivers_in_camera) {
   std::vector<Plane> planes = frustum_planes(view.light_from_world);
   planes.erase(planes.begin() + 4);  // z >= 0: casters nearer to the light count
   if (receivers_in_camera)
     for (const Plane& plane : camera.planes()) {
-      const double towards = light.kind == LightKind::directional ? -glm::dot(plane.normal, light.direction) : plane.distance(light.position);
+      const double towards = light.kind == LightKind::directional ? -glm::dot(plane.normal, light.direction)
+                                                                  : plane.distance(light.position);
       if (towards >= 0) planes.push_back(plane);
     }
   return planes;

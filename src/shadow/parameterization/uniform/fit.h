@@ -29,15 +29,17 @@ std::vector<glm::dvec3> receiver_points(const Frame& frame, std::span<const Plan
 /// `points` of a perspective light are cut by its window planes. Empty for no points.
 Box receiver_bounds(const LightFrame& light, std::span<const glm::dvec3> points);
 
-/// Turns a directional light's frame about its axis so that the receivers' bounding rectangle is smallest (of 32 angles).
+/// Turns a directional light's frame about its axis so that the receivers' bounding rectangle is smallest (of 32
+/// angles).
 LightFrame turn_to_fit(const LightFrame& light, std::span<const glm::dvec3> points);
 
-/// The view whose map, `resolution` texels an axis, just holds `receivers` (as `receiver_bounds` gives them), with a border of
-/// `border_texels`.
+/// The view whose map, `resolution` texels an axis, just holds `receivers` (as `receiver_bounds` gives them), with a
+/// border of `border_texels`.
 MapView fit_view(const LightFrame& light, const Box& receivers, uint32_t resolution, double border_texels);
 
-/// The half-spaces that hold every caster for `view`: those of its matrix but the near one, and those of the camera that a way
-/// from a receiver to the light never leaves.
-std::vector<Plane> caster_planes(const MapView& view, const render::CameraView& camera, const Light& light, bool receivers_in_camera);
+/// The half-spaces that hold every caster for `view`: those of its matrix but the near one, and those of the camera
+/// that a way from a receiver to the light never leaves.
+std::vector<Plane> caster_planes(const MapView& view, const render::CameraView& camera, const Light& light,
+                                 bool receivers_in_camera);
 
 }  // namespace shadewright::shadow

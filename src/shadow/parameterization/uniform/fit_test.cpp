@@ -39,7 +39,8 @@ TEST_P(FitTest, HoldsEveryReceiver) {
       for (int i = 0; i < 50; ++i) {
         const glm::dvec3 receiver(5 * unit(random), 0.5 + 1.5 * unit(random), 5 * unit(random));
         const auto inside = [&](const std::vector<Plane>& list) {
-          return std::all_of(list.begin(), list.end(), [&](const Plane& plane) { return plane.distance(receiver) > 1e-9; });
+          return std::all_of(list.begin(), list.end(),
+                             [&](const Plane& plane) { return plane.distance(receiver) > 1e-9; });
         };
         if (!inside(camera_planes) || !inside(window)) continue;
         ++tested;

@@ -26,7 +26,8 @@ Uniform::Uniform(const gpu::Device& device, const Spec& spec)
     : device_(device), fit_(spec.choice("fit")), resolution_(spec.resolution) {
   if (fit_ != "visible") return;
   using enum gpu::BindingKind;
-  reduce_ = gpu::ComputePass(device, shaders::reduce_comp, {uniform_buffer, sampled_image, storage_buffer, storage_buffer});
+  reduce_ =
+      gpu::ComputePass(device, shaders::reduce_comp, {uniform_buffer, sampled_image, storage_buffer, storage_buffer});
   sampler_ = gpu::make_sampler(device, vk::Filter::eNearest);
   camera_ = gpu::Buffer(device, "fit camera", sizeof(shared::CameraData), gpu::HostAccess::write);
   light_axes_ = gpu::Buffer(device, "fit axes", 6 * sizeof(shared::LightAxes), gpu::HostAccess::write);
@@ -60,7 +61,8 @@ void Uniform::prepare(const Frame& frame, gpu::Recorder& recorder) {
   }
 }
 
-std::vector<Box> Uniform::visible_bounds(const Frame& frame, gpu::Recorder& recorder, std::span<const LightFrame> lights) {
+std::vector<Box> Uniform::visible_bounds(const Frame& frame, gpu::Recorder& recorder,
+                                         std::span<const LightFrame> lights) {
   camera_.mapped<shared::CameraData>()[0] = render::camera_data(frame.camera);
   const auto bounds = bounds_.mapped<shared::OrderedBounds>();
   for (size_t i = 0; i < lights.size(); ++i) {
@@ -73,7 +75,8 @@ std::vector<Box> Uniform::visible_bounds(const Frame& frame, gpu::Recorder& reco
     const Binding bindings[] = {Binding::uniform(camera_), Binding::sampled(frame.depth, *sampler_),
                                 Binding::storage(light_axes_), Binding::storage(bounds_)};
     reduce_.dispatch(commands, bindings, {},
-                     {gpu::groups(frame.camera.width, 8), gpu::groups(frame.camera.height, 8), static_cast<uint32_t>(lights.size())});
+                     {gpu::groups(frame.camera.width, 8), gpu::groups(frame.camera.height, 8),
+                      static_cast<uint32_t>(lights.size())});
   });
   recorder.wait();
   std::vector<Box> result;
@@ -95,7 +98,7 @@ Counters Uniform::counters() const {
   return {{"effective_resolution", {resolution, resolution}}, {"views", {static_cast<double>(drawn)}}};
 }
 
-std::vector<gpu::Allocation> Uniform::allocations() const {
+std::vector<Allocation> Uniform::allocations() const {
   if (fit_ != "visible") return {};
   return {camera_.allocation(), light_axes_.allocation(), bounds_.allocation()};
 }

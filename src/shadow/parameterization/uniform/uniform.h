@@ -1,4 +1,5 @@
-// uniform: one matrix, fitted tightly to what receives shadows; six faces for point lights. The baseline of every paper here.
+// uniform: one matrix, fitted tightly to what receives shadows; six faces for point lights. The baseline of every paper
+// here.
 //
 // fit=scene   receivers are all of the scene (what the papers call conventional)
 // fit=view    receivers are what the camera's frustum holds of each instance's bounds
@@ -20,7 +21,7 @@ class Uniform final : public Parameterization {
   void prepare(const Frame& frame, gpu::Recorder& recorder) override;
   std::span<const MapView> views() const override { return views_; }
   Counters counters() const override;
-  std::vector<gpu::Allocation> allocations() const override;
+  std::vector<Allocation> allocations() const override;
 
  private:
   std::vector<Box> visible_bounds(const Frame& frame, gpu::Recorder& recorder, std::span<const LightFrame> lights);

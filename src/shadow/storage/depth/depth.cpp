@@ -26,13 +26,15 @@ void DepthStorage::prepare(const Frame& frame, uint32_t slot, std::span<const Ma
     scene_ = frame.scene;
   }
   std::vector<std::vector<Plane>> planes;
-  std::transform(views.begin(), views.end(), std::back_inserter(planes), [](const MapView& view) { return view.casters; });
+  std::transform(views.begin(), views.end(), std::back_inserter(planes),
+                 [](const MapView& view) { return view.casters; });
   draws_->set_views(slot, planes);
 }
 
-void DepthStorage::record(const Frame& frame, uint32_t slot, std::span<const MapView> views, vk::DescriptorSet lookup_set,
-                          gpu::Recorder& recorder) {
-  if (frame.scene) recorder.stage("shadow cull", [&](const vk::raii::CommandBuffer& commands) { draws_->cull(commands, slot); });
+void DepthStorage::record(const Frame& frame, uint32_t slot, std::span<const MapView> views,
+                          vk::DescriptorSet lookup_set, gpu::Recorder& recorder) {
+  if (frame.scene)
+    recorder.stage("shadow cull", [&](const vk::raii::CommandBuffer& commands) { draws_->cull(commands, slot); });
   recorder.stage("shadow map", [&](const vk::raii::CommandBuffer& commands) {
     map_.transition(commands, vk::ImageLayout::eDepthAttachmentOptimal, true);
     for (uint32_t index = 0; index < views.size(); ++index)
@@ -41,17 +43,18 @@ void DepthStorage::record(const Frame& frame, uint32_t slot, std::span<const Map
   });
 }
 
-void DepthStorage::draw_view(const vk::raii::CommandBuffer& commands, const Frame& frame, const MapView& view, uint32_t index,
-                             vk::DescriptorSet lookup_set) {
-  const vk::RenderingAttachmentInfo depth(map_.layer_view(view.layer), vk::ImageLayout::eDepthAttachmentOptimal, {}, {}, {},
-                                          vk::AttachmentLoadOp::eClear, vk::AttachmentStoreOp::eStore,
+void DepthStorage::draw_view(const vk::raii::CommandBuffer& commands, const Frame& frame, const MapView& view,
+                             uint32_t index, vk::DescriptorSet lookup_set) {
+  const vk::RenderingAttachmentInfo depth(map_.layer_view(view.layer), vk::ImageLayout::eDepthAttachmentOptimal, {}, {},
+                                          {}, vk::AttachmentLoadOp::eClear, vk::AttachmentStoreOp::eStore,
                                           vk::ClearDepthStencilValue(1.0f, 0));
   vk::RenderingInfo rendering({}, {{0, 0}, map_.extent()}, 1);
   rendering.pDepthAttachment = &depth;
   commands.beginRendering(rendering);
   const vk::Rect2D area = view.viewport;
-  commands.setViewport(0, vk::Viewport(static_cast<float>(area.offset.x), static_cast<float>(area.offset.y),
-                                       static_cast<float>(area.extent.width), static_cast<float>(area.extent.height), 0, 1));
+  commands.setViewport(
+      0, vk::Viewport(static_cast<float>(area.offset.x), static_cast<float>(area.offset.y),
+                      static_cast<float>(area.extent.width), static_cast<float>(area.extent.height), 0, 1));
   commands.setScissor(0, area);
   if (frame.scene) {
     pass_.bind(commands, {}, gpu::bytes_of(index), std::span(&lookup_set, 1));
@@ -70,13 +73,14 @@ Picture DepthStorage::picture() {
     brightness.resize(first + bytes.size() / sizeof(float));
     std::memcpy(&brightness[first], bytes.data(), bytes.size());
   }
-  gpu::submit_and_wait(device_, [&](const auto& commands) { map_.transition(commands, vk::ImageLayout::eShaderReadOnlyOptimal); });
+  gpu::submit_and_wait(
+      device_, [&](const auto& commands) { map_.transition(commands, vk::ImageLayout::eShaderReadOnlyOptimal); });
   for (float& depth : brightness) depth = depth == 1.0f ? 0.0f : 1.0f - 0.9f * depth;
   return render::to_picture(brightness, desc.width, desc.height * desc.layers);
 }
 
-std::vector<gpu::Allocation> DepthStorage::allocations() const {
-  std::vector<gpu::Allocation> result{map_.allocation()};
+std::vector<Allocation> DepthStorage::allocations() const {
+  std::vector<Allocation> result{map_.allocation()};
   if (draws_)
     for (auto& allocation : draws_->allocations()) result.push_back(std::move(allocation));
   return result;
