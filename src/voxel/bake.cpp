@@ -71,20 +71,6 @@ VoxelShadow own(const ShadowProperties& properties, std::vector<Dag>&& dags) {
   return VoxelShadow(properties, std::move(views), std::move(starts), owner);
 }
 
-/// The same window at half the resolution.
-LightGrid halve(LightGrid grid) {
-  --grid.log2_size;
-  grid.log2_depth = std::min(grid.log2_depth, grid.log2_size);
-  const double depth_ratio = grid.kind == LightKind::directional ? 2.0 : 1.0;
-  glm::dmat4 half(1.0);
-  half[0][0] = half[1][1] = 0.5;
-  half[2][2] = 0.5;
-  grid.voxel_from_world = half * grid.voxel_from_world;
-  grid.texel_size *= 2.0;
-  grid.voxel_depth *= depth_ratio;
-  return grid;
-}
-
 BakeResult run(const Scene& scene, const Light& light, const BakeOptions& options, const Progress& progress) {
   BakeStatistics statistics;
   Stages stages(statistics.stages);
@@ -112,7 +98,7 @@ BakeResult run(const Scene& scene, const Light& light, const BakeOptions& option
       topology.components.open + topology.components.inwards + topology.components.inhabited == 0};
   std::vector<Dag> dags;
   RealPathCounts counts;
-  for (;; grid = halve(grid)) {
+  for (;; grid = grid.halved()) {
     const SnappedCasters snapped = snap(casters, topology, grid);
     budget.add(snapped.triangles.size() * sizeof(SnappedTriangle));
     stages.finish("snap");
@@ -131,7 +117,7 @@ BakeResult run(const Scene& scene, const Light& light, const BakeOptions& option
     progress("layout", 1.0);
     stages.finish("layout");
     budget.remove(snapped.triangles.size() * sizeof(SnappedTriangle));
-    if (!options.pyramid || grid.log2_size == 6) break;
+    if (!options.pyramid || grid.log2_size == 6 || grid.log2_depth == 6) break;
   }
   statistics.quads = counts.quads;
   statistics.tiles = counts.tiles;

@@ -61,7 +61,7 @@ class Walk {
                                                     : kVisible;
       for (uint32_t k = z; k < z + cells; ++k)
         for (uint32_t j = y; j < y + cells; ++j)
-          std::fill_n(dag_.grid.begin() + (size_t(k) << 2 * log2_grid_) + (size_t(j) << log2_grid_) + x, cells, word);
+          std::fill_n(&dag_.grid[(size_t(k) << 2 * log2_grid_) + (size_t(j) << log2_grid_) + x], cells, word);
       return;
     }
     const uint32_t* words = builder_.pool(height).words(value - kFirstNode);

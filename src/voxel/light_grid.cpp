@@ -34,4 +34,16 @@ glm::dvec3 LightGrid::receiver_voxel(const glm::dvec3& world, const glm::dvec3& 
   return voxel(world + (unknown ? towards_light : normal) * receiver_offset(world, normal, taps));
 }
 
+LightGrid LightGrid::halved() const {
+  LightGrid half = *this;
+  --half.log2_size;
+  --half.log2_depth;
+  glm::dmat4 scale(0.5);
+  scale[3][3] = 1;
+  half.voxel_from_world = scale * voxel_from_world;
+  half.texel_size *= 2.0;
+  half.voxel_depth *= 2.0;
+  return half;
+}
+
 }  // namespace shadewright::voxel

@@ -36,6 +36,8 @@ struct LightGrid {
   double receiver_offset(const glm::dvec3& world, const glm::dvec3& normal, uint32_t taps) const;
   /// `world` moved by `receiver_offset` (towards the light for a zero normal), in voxel coordinates.
   glm::dvec3 receiver_voxel(const glm::dvec3& world, const glm::dvec3& normal, uint32_t taps) const;
+  /// The same window with half as many voxels on every axis.
+  LightGrid halved() const;
 };
 
 }  // namespace shadewright::voxel

@@ -22,6 +22,12 @@ struct ShadowProperties {
   bool all_closed = false;        ///< informational: no open triangle was baked
 };
 
+/// How receivers are looked up whose pixel covers more texels than the filter (CPVS, section 5).
+enum class Distant {
+  mraa,  ///< filtered in the DAG of a lower resolution; needs BakeOptions::pyramid
+  voaa   ///< by the occupancy of a node as large as the pixel, interpolated between two heights
+};
+
 /// Immutable and cheap to copy (copies share the data). All members are thread-safe.
 class VoxelShadow {
  public:
@@ -51,6 +57,13 @@ class VoxelShadow {
   /// Points outside the window or beside a spot light are visible. Uses all cores (oneTBB) and the CPU's widest vectors
   /// (Highway); the results are the same everywhere. InputError if `taps` is even, or larger than `max_filter`.
   void visibility(std::span<const SurfacePoint> points, uint32_t taps, std::span<float> result) const;
+
+  /// As `visibility`, for points each of whose pixels has a footprint of `footprints[i]` metres (the square root of its
+  /// area). With a = footprint in texels: MRAA filters at level max(0, ceil(log2(a / taps))) of the pyramid, with the
+  /// offset of that level's texels; VOAA takes over where a > taps, at nodes of side a, with an offset of half a node.
+  /// InputError as for `visibility`, and for MRAA without a pyramid.
+  void distant_visibility(std::span<const SurfacePoint> points, std::span<const float> footprints, uint32_t taps,
+                          Distant how, std::span<float> result) const;
 
  private:
   void check_taps(uint32_t taps) const;
