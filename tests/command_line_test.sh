@@ -23,7 +23,7 @@ refuses() {
   [ -z "$(ls -A)" ] || { fail "$*: left $(ls -A)"; rm -rf ./*; }
 }
 
-works() { "$shadewright" "$@" >stdout 2>stderr || fail "$*: exit $?: $(cat stderr)"; }
+works() { "$shadewright" "$@" >stdout 2>stderr || { fail "$*: exit $?: $(cat stderr)"; return 1; }; }
 
 small=(--size 160x90 --repeat 1 --quiet)
 
@@ -58,7 +58,7 @@ works render builtin:spheres -t sm@512 -o builtin.png --mask builtin-mask.png "$
 cmp -s mask.png builtin-mask.png || fail "a scene written out and loaded back has another mask"
 works render builtin:spheres -t pcf -o image.exr "${small[@]}" && [ -s image.exr ] || fail "no EXR"
 works render builtin:spheres -t ray -o ray.png "${small[@]}"
-"$shadewright" render builtin:spheres -t sm@256 -o - "${small[@]}" | head -c 4 | grep -q PNG || fail "no PNG on stdout"
+works render builtin:spheres -t sm@256 -o - "${small[@]}" && head -c 4 stdout | grep -q PNG || fail "no PNG on stdout"
 works render --help-spec
 works compare builtin:spheres -t sm@256..512 -t pcf@256 -o out --size 160x90 --repeat 1 --validation
 for file in index.html report.json report.csv reference.png; do [ -s "out/$file" ] || fail "compare wrote no $file"; done
@@ -67,6 +67,22 @@ grep -q '"schema": "shadewright.compare/1"' out/report.json || fail "report.json
 works compare builtin:spheres -t sm@512 -o again --against out/report.json --size 160x90 --repeat 1
 grep -q 'against' stdout || fail "compare --against says nothing"
 grep -qE '(src|href|url)[=(]"?https?:' out/index.html && fail "index.html refers to the network"
+
+works bake builtin:spheres -r 512 -o sun.cpvs --json bake.json --quiet
+[ -s sun.cpvs ] && grep -q '"dag_bytes"' bake.json || fail "bake wrote no file or no figures"
+works bake builtin:spheres -r 512 -o again.cpvs --threads 1 --quiet
+cmp -s sun.cpvs again.cpvs || fail "another number of threads bakes other bytes"
+works info sun.cpvs && grep -q '512x512x512' stdout || fail "info does not tell the resolution"
+printf '0 100 0\n0 100 0 0 1 0\n' | "$shadewright" query sun.cpvs --filter 9 >answers 2>stderr || fail "query: $(cat stderr)"
+[ "$(cat answers)" = "$(printf '1\n1')" ] || fail "points above everything are not lit: $(cat answers)"
+printf '1 2\n' | "$shadewright" query sun.cpvs >answers 2>stderr
+[ $? -eq 2 ] && grep -q 'line 1' stderr || fail "query does not name the bad line: $(cat stderr)"
+head -c 1000 sun.cpvs >cut.cpvs
+"$shadewright" info cut.cpvs >stdout 2>stderr
+[ $? -eq 2 ] && grep -q 'cut.cpvs' stderr || fail "info of a truncated file: $(cat stderr)"
+timeout --preserve-status -s INT 1 "$shadewright" bake builtin:landscape -r 262144 -o stopped.cpvs --quiet >stdout 2>stderr
+[ $? -eq 130 ] && grep -q 'interrupted' stderr || fail "an interrupted bake says: $(cat stderr)"
+[ -z "$(ls | grep stopped)" ] || fail "an interrupted bake left $(ls | grep stopped)"
 
 [ $failures -eq 0 ] && echo "all passed"
 exit $((failures > 0))
