@@ -44,7 +44,8 @@ refuses 2 'debug' render builtin:spheres -t sm -o x.png --debug nosuch "${small[
 refuses 2 'not built yet' compare builtin:spheres -t sm -o out --path main "${small[@]}"
 refuses 2 'report.json' compare builtin:spheres -t sm -o out --against missing.json "${small[@]}"
 refuses 2 'downwards' compare builtin:spheres -t sm@1024..512 -o out "${small[@]}"
-refuses 2 'not built yet' bench psm
+refuses 2 'not built yet' bench psm -o out
+refuses 2 'not built yet' view
 refuses 2 'help' render
 refuses 2 'help' nonsense
 refuses 1 'written' render builtin:spheres -t sm -o no/such/folder/x.png "${small[@]}"

@@ -10,6 +10,7 @@ void add_compare(CLI::App& app);
 void add_scenes(CLI::App& app);
 void add_devices(CLI::App& app);
 void add_bake(CLI::App& app);
+void add_bench(CLI::App& app);
 void add_info(CLI::App& app);
 void add_query(CLI::App& app);
 
