@@ -17,6 +17,7 @@ function(shadewright_test name)
   endif()
   cmake_parse_arguments(arg "" "REUSE" "SOURCES;LIBRARIES;LABELS;PRECOMPILED" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)  # what is tested is optimized; the tests build sooner
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} shadewright_options GTest::gtest_main)
   target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/src")
   if(arg_PRECOMPILED)
