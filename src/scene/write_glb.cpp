@@ -12,6 +12,7 @@
 
 #include "scene/conditioning.h"
 #include "shadewright/error.h"
+#include "shadewright/files.h"
 #include "shadewright/geometry/projection.h"
 #include "shadewright/scene/load.h"
 
@@ -254,11 +255,8 @@ void write_glb(const Scene& scene, const std::filesystem::path& file) {
   if (total > std::numeric_limits<uint32_t>::max())
     throw FailureError(file.string(), "would exceed the 4 GiB that a GLB can hold", "write a smaller scene");
 
-  std::filesystem::path part = file;
-  part += ".part";
-  std::error_code error;
-  {
-    std::ofstream stream(part, std::ios::binary | std::ios::trunc);
+  write_atomically(file, [&](const std::filesystem::path& temporary) {
+    std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
     stream.write("glTF", 4);
     write_word(stream, 2);
     write_word(stream, total);
@@ -271,15 +269,10 @@ void write_glb(const Scene& scene, const std::filesystem::path& file) {
       stream.write(writer.binary().data(), static_cast<std::streamsize>(binary_size));
     }
     stream.close();
-    if (!stream) error = std::make_error_code(std::errc::io_error);
-  }
-  if (!error) std::filesystem::rename(part, file, error);
-  if (error) {
-    std::error_code ignored;
-    std::filesystem::remove(part, ignored);
-    throw FailureError(file.string(), "cannot be written",
-                       "check the folder, its permissions and the disk's free space");
-  }
+    if (!stream)
+      throw FailureError(file.string(), "cannot be written",
+                         "check the folder, its permissions and the disk's free space");
+  });
 }
 
 }  // namespace shadewright

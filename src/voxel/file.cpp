@@ -10,35 +10,13 @@
 #include "file_format.h"
 #include "mapped_file.h"
 #include "shadewright/error.h"
+#include "shadewright/files.h"
 
 namespace shadewright::voxel {
 
 namespace {
 
 constexpr int kZstdLevel = 9;
-
-/// Removes its file unless it was renamed.
-class Temporary {
- public:
-  explicit Temporary(const std::filesystem::path& target) : path_(target) { path_ += ".part"; }
-  ~Temporary() {
-    std::error_code ignored;
-    if (!renamed_) std::filesystem::remove(path_, ignored);
-  }
-  Temporary(const Temporary&) = delete;
-  Temporary& operator=(const Temporary&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-  void rename_to(const std::filesystem::path& target) {
-    std::error_code error;
-    std::filesystem::rename(path_, target, error);
-    if (error) throw FailureError(target.string(), "cannot be written: " + error.message());
-    renamed_ = true;
-  }
-
- private:
-  std::filesystem::path path_;
-  bool renamed_ = false;
-};
 
 class Writer {
  public:
@@ -126,9 +104,8 @@ void save(const VoxelShadow& shadow, const std::filesystem::path& file, const Sa
           const Progress& progress) {
   static_assert(std::endian::native == std::endian::little, "the file is little-endian");
   progress("write", 0.0);
-  Temporary temporary(file);
-  {
-    Writer writer(temporary.path(), file, options.compress);
+  write_atomically(file, [&](const std::filesystem::path& temporary) {
+    Writer writer(temporary, file, options.compress);
     FileHeader header = describe(shadow);
     for (size_t i = 0; i < shadow.dags().size(); ++i) {
       const DagView& dag = shadow.dags()[i];
@@ -144,8 +121,7 @@ void save(const VoxelShadow& shadow, const std::filesystem::path& file, const Sa
       progress("write", double(i + 1) / double(shadow.dags().size()));
     }
     writer.finish(header);
-  }
-  temporary.rename_to(file);
+  });
 }
 
 VoxelShadow open(const std::filesystem::path& file, uint64_t memory_limit) {
