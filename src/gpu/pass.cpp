@@ -94,10 +94,9 @@ vk::raii::Sampler make_sampler(const Device& device, vk::Filter filter) {
   return {device.handle(), info};
 }
 
-ComputePass::ComputePass(const Device& device, std::span<const uint32_t> spirv, std::vector<BindingKind> kinds,
-                         uint32_t push_bytes, std::span<const vk::DescriptorSetLayout> sets, vk::Bool32 constant)
-    : kinds_(std::move(kinds)) {
-  set_layout_ = make_set_layout(device, kinds_, vk::ShaderStageFlagBits::eCompute, true);
+ComputePass::ComputePass(const Device& device, std::span<const uint32_t> spirv, const std::vector<BindingKind>& kinds,
+                         uint32_t push_bytes, std::span<const vk::DescriptorSetLayout> sets, vk::Bool32 constant) {
+  set_layout_ = make_set_layout(device, kinds, vk::ShaderStageFlagBits::eCompute, true);
   layout_ = make_layout(device, set_layout_, sets, push_bytes, vk::ShaderStageFlagBits::eCompute);
   const auto shader = make_shader(device, spirv);
   const vk::SpecializationMapEntry entry(0, 0, sizeof(constant));
@@ -116,8 +115,8 @@ void ComputePass::dispatch(const vk::raii::CommandBuffer& commands, std::span<co
   commands.dispatch(groups.width, groups.height, groups.depth);
 }
 
-GraphicsPass::GraphicsPass(const Device& device, const GraphicsDesc& desc) : kinds_(desc.kinds) {
-  set_layout_ = make_set_layout(device, kinds_, graphics_stages, true);
+GraphicsPass::GraphicsPass(const Device& device, const GraphicsDesc& desc) {
+  set_layout_ = make_set_layout(device, desc.kinds, graphics_stages, true);
   layout_ = make_layout(device, set_layout_, desc.sets, desc.push_bytes, graphics_stages);
   const auto vertex = make_shader(device, desc.vertex);
   vk::raii::ShaderModule fragment{nullptr};

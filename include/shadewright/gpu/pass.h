@@ -46,7 +46,7 @@ vk::raii::Sampler make_sampler(const Device& device, vk::Filter filter);
 class ComputePass {
  public:
   ComputePass() = default;
-  ComputePass(const Device& device, std::span<const uint32_t> spirv, std::vector<BindingKind> kinds,
+  ComputePass(const Device& device, std::span<const uint32_t> spirv, const std::vector<BindingKind>& kinds,
               uint32_t push_bytes = 0, std::span<const vk::DescriptorSetLayout> sets = {},
               vk::Bool32 constant = VK_FALSE);
 
@@ -56,7 +56,6 @@ class ComputePass {
                 std::span<const vk::DescriptorSet> sets = {}) const;
 
  private:
-  std::vector<BindingKind> kinds_;
   vk::raii::DescriptorSetLayout set_layout_{nullptr};
   vk::raii::PipelineLayout layout_{nullptr};
   vk::raii::Pipeline pipeline_{nullptr};
@@ -88,7 +87,6 @@ class GraphicsPass {
   void push(const vk::raii::CommandBuffer& commands, std::span<const std::byte> push) const;
 
  private:
-  std::vector<BindingKind> kinds_;
   vk::raii::DescriptorSetLayout set_layout_{nullptr};
   vk::raii::PipelineLayout layout_{nullptr};
   vk::raii::Pipeline pipeline_{nullptr};
