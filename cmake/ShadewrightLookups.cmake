@@ -17,9 +17,13 @@ function(shadewright_combination parameterization storage filter)
   _shadewright_generate("${room}/lookup.comp.in" lookup_${parameterization}_${storage}_${filter} shadewright_lookup_entries
                         ${parameterization}/${storage}/${filter})
   _shadewright_generate("${room}/oracle.comp.in" oracle_${parameterization} shadewright_oracle_entries ${parameterization})
-  set(stage vert)
-  _shadewright_generate("${room}/storage/${storage}/casters.vert.in" casters_${parameterization}_${storage}
-                        shadewright_caster_entries ${parameterization}/${storage})
+  foreach(stage vert tesc tese geom frag)
+    set(casters "${room}/storage/${storage}/casters.${stage}.in")
+    if(EXISTS "${casters}")
+      _shadewright_generate("${casters}" casters_${parameterization}_${storage}_${stage} shadewright_caster_entries
+                            ${parameterization}/${storage}.${stage})
+    endif()
+  endforeach()
 endfunction()
 
 function(shadewright_lookup_table)

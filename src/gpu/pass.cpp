@@ -24,10 +24,11 @@ vk::raii::PipelineLayout make_layout(const Device& device, const vk::raii::Descr
 /// Descriptor writes with the storage that they point into.
 class Writes {
  public:
-  explicit Writes(std::span<const Binding> bindings) : buffers_(bindings.size()), images_(bindings.size()) {
+  explicit Writes(std::span<const Binding> bindings, vk::DescriptorSet set = {}, uint32_t first = 0)
+      : buffers_(bindings.size()), images_(bindings.size()) {
     for (uint32_t i = 0; i < bindings.size(); ++i) {
       const Binding& b = bindings[i];
-      vk::WriteDescriptorSet write({}, i, 0, 1, descriptor_type(b.kind));
+      vk::WriteDescriptorSet write(set, first + i, 0, 1, descriptor_type(b.kind));
       if (b.buffer) {
         buffers_[i] = vk::DescriptorBufferInfo(b.buffer, 0, VK_WHOLE_SIZE);
         write.pBufferInfo = &buffers_[i];
@@ -60,7 +61,7 @@ void push_constants(const vk::raii::CommandBuffer& commands, const vk::raii::Pip
     commands.pushConstants<std::byte>(*layout, stages, 0, {static_cast<uint32_t>(push.size()), push.data()});
 }
 
-constexpr auto graphics_stages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
+constexpr vk::ShaderStageFlags graphics_stages = vk::ShaderStageFlagBits::eAllGraphics;
 
 }  // namespace
 
@@ -85,6 +86,10 @@ vk::raii::DescriptorSetLayout make_set_layout(const Device& device, std::span<co
   vk::DescriptorSetLayoutCreateInfo info({}, bindings);
   if (push) info.flags = vk::DescriptorSetLayoutCreateFlagBits::ePushDescriptorKHR;
   return {device.handle(), info};
+}
+
+void write_set(const Device& device, vk::DescriptorSet set, uint32_t first, std::span<const Binding> bindings) {
+  if (!bindings.empty()) device.handle().updateDescriptorSets(Writes(bindings, set, first).list(), {});
 }
 
 vk::raii::Sampler make_sampler(const Device& device, vk::Filter filter) {
@@ -118,15 +123,24 @@ void ComputePass::dispatch(const vk::raii::CommandBuffer& commands, std::span<co
 GraphicsPass::GraphicsPass(const Device& device, const GraphicsDesc& desc) {
   set_layout_ = make_set_layout(device, desc.kinds, graphics_stages, true);
   layout_ = make_layout(device, set_layout_, desc.sets, desc.push_bytes, graphics_stages);
-  const auto vertex = make_shader(device, desc.vertex);
-  vk::raii::ShaderModule fragment{nullptr};
-  std::vector<vk::PipelineShaderStageCreateInfo> stages{{{}, vk::ShaderStageFlagBits::eVertex, *vertex, "main"}};
-  if (!desc.fragment.empty()) {
-    fragment = make_shader(device, desc.fragment);
-    stages.push_back({{}, vk::ShaderStageFlagBits::eFragment, *fragment, "main"});
-  }
+  std::vector<vk::raii::ShaderModule> modules;
+  std::vector<vk::PipelineShaderStageCreateInfo> stages;
+  const auto add = [&](vk::ShaderStageFlagBits stage, std::span<const uint32_t> spirv) {
+    if (spirv.empty()) return;
+    modules.push_back(make_shader(device, spirv));
+    stages.push_back({{}, stage, *modules.back(), "main"});
+  };
+  using Stage = vk::ShaderStageFlagBits;
+  add(Stage::eVertex, desc.vertex);
+  add(Stage::eTessellationControl, desc.tessellation_control);
+  add(Stage::eTessellationEvaluation, desc.tessellation_evaluation);
+  add(Stage::eGeometry, desc.geometry);
+  add(Stage::eFragment, desc.fragment);
+  const bool tessellated = !desc.tessellation_control.empty();
   const vk::PipelineVertexInputStateCreateInfo vertex_input({}, desc.vertex_bindings, desc.vertex_attributes);
-  const vk::PipelineInputAssemblyStateCreateInfo assembly({}, vk::PrimitiveTopology::eTriangleList);
+  const vk::PipelineInputAssemblyStateCreateInfo assembly(
+      {}, tessellated ? vk::PrimitiveTopology::ePatchList : vk::PrimitiveTopology::eTriangleList);
+  const vk::PipelineTessellationStateCreateInfo tessellation({}, 3);
   const vk::PipelineViewportStateCreateInfo viewport({}, 1, nullptr, 1, nullptr);
   vk::PipelineRasterizationStateCreateInfo raster;
   raster.depthClampEnable = desc.depth_clamp;
@@ -142,8 +156,8 @@ GraphicsPass::GraphicsPass(const Device& device, const GraphicsDesc& desc) {
   const vk::PipelineDynamicStateCreateInfo dynamic({}, dynamic_states);
   const vk::PipelineRenderingCreateInfo rendering(0, desc.colors, desc.depth);
 
-  vk::GraphicsPipelineCreateInfo info({}, stages, &vertex_input, &assembly, nullptr, &viewport, &raster, &multisample,
-                                      &depth, &blend, &dynamic, *layout_);
+  vk::GraphicsPipelineCreateInfo info({}, stages, &vertex_input, &assembly, tessellated ? &tessellation : nullptr,
+                                      &viewport, &raster, &multisample, &depth, &blend, &dynamic, *layout_);
   info.pNext = &rendering;
   pipeline_ = vk::raii::Pipeline(device.handle(), nullptr, info);
 }

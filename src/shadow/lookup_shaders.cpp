@@ -1,5 +1,7 @@
 #include "shadow/lookup_shaders.h"
 
+#include <fmt/format.h>
+
 #include "shaders/lookup_table.h"
 
 namespace shadewright::shadow {
@@ -21,8 +23,17 @@ std::span<const uint32_t> lookup_shader(std::string_view combination) {
 std::span<const uint32_t> oracle_shader(std::string_view parameterization) {
   return find(shaders::oracles, parameterization);
 }
-std::span<const uint32_t> casters_shader(std::string_view combination) {
-  return find(shaders::casters, combination);
+gpu::GraphicsDesc casters_shaders(const Spec& spec) {
+  const auto stage = [&](std::string_view name) {
+    return find(shaders::casters, fmt::format("{}/{}.{}", spec.parameterization, spec.storage, name));
+  };
+  gpu::GraphicsDesc desc;
+  desc.vertex = stage("vert");
+  desc.tessellation_control = stage("tesc");
+  desc.tessellation_evaluation = stage("tese");
+  desc.geometry = stage("geom");
+  desc.fragment = stage("frag");
+  return desc;
 }
 
 }  // namespace shadewright::shadow

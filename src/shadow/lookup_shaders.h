@@ -5,13 +5,16 @@
 #include <span>
 #include <string_view>
 
+#include "shadewright/gpu/pass.h"
+#include "shadewright/shadow/spec.h"
+
 namespace shadewright::shadow {
 
 /// "uniform/depth/hard" -> SPIR-V of its look-up; empty for a combination that is not built.
 std::span<const uint32_t> lookup_shader(std::string_view combination);
 /// "uniform" -> SPIR-V of the oracle's rays.
 std::span<const uint32_t> oracle_shader(std::string_view parameterization);
-/// "uniform/depth" -> SPIR-V of the casters' vertex shader.
-std::span<const uint32_t> casters_shader(std::string_view combination);
+/// The stages that draw casters for the spec's parameterization and storage: those of `storage/NAME/casters.STAGE.in`.
+gpu::GraphicsDesc casters_shaders(const Spec& spec);
 
 }  // namespace shadewright::shadow

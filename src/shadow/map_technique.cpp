@@ -1,18 +1,18 @@
 #include "shadow/map_technique.h"
 
+#include <algorithm>
+#include <array>
+
 #include "render/shared.h"
 #include "shadewright/error.h"
 #include "shadow/lookup_shaders.h"
-#include "shadow/parameterization/uniform/uniform.h"
+#include "shadow/parts.h"
 #include "shadow/shared.h"
 
 namespace shadewright::shadow {
 
 namespace {
 
-/// What a shader that includes a look-up binds in the look-up's set; see map_point.glsl and the storage's GLSL.
-constexpr gpu::BindingKind lookup_kinds[] = {gpu::BindingKind::storage_buffer, gpu::BindingKind::uniform_buffer,
-                                             gpu::BindingKind::sampled_image};
 constexpr auto lookup_stages =
     vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment | vk::ShaderStageFlagBits::eCompute;
 
@@ -39,7 +39,7 @@ uint32_t light_kind(LightKind kind) {
 
 MapTechnique::MapTechnique(const gpu::Device& device, const Spec& spec, const TechniqueOptions& options)
     : Technique(device), spec_(spec), options_(options) {
-  parameterization_ = std::make_unique<Uniform>(device, spec);
+  parameterization_ = make_parameterization(device, spec, options);
   if (!options.allow_readback && needs_readback())
     throw InputError(spec.text, "this technique waits for the device in every frame",
                      "allow readback, or choose fit=view");
@@ -54,42 +54,58 @@ MapTechnique::MapTechnique(const gpu::Device& device, const Spec& spec, const Te
     views_.emplace_back(device, "shadow views", parameterization_->max_views() * sizeof(shared::MapViewData),
                         gpu::HostAccess::write);
   }
-  lookup_layout_ = gpu::make_set_layout(device, lookup_kinds, lookup_stages, false);
-  const uint32_t count = options.frames_in_flight;
-  const vk::DescriptorPoolSize sizes[] = {{vk::DescriptorType::eStorageBuffer, count},
-                                          {vk::DescriptorType::eUniformBuffer, count},
-                                          {vk::DescriptorType::eCombinedImageSampler, count}};
+  make_lookup_sets();
+}
+
+void MapTechnique::make_lookup_sets() {
+  // Views, constants, the storage's resources and the parameterization's: see map_point.glsl and the modules' GLSL.
+  std::vector<vk::DescriptorSetLayoutBinding> bindings;
+  std::vector<vk::DescriptorPoolSize> sizes;
+  const uint32_t count = options_.frames_in_flight;
+  const auto add = [&](uint32_t first, std::span<const gpu::BindingKind> kinds) {
+    for (uint32_t i = 0; i < kinds.size(); ++i) {
+      const vk::DescriptorType type = gpu::descriptor_type(kinds[i]);
+      bindings.push_back({first + i, type, 1, lookup_stages});
+      sizes.push_back({type, count});
+    }
+  };
+  add(0, std::array{gpu::BindingKind::storage_buffer, gpu::BindingKind::uniform_buffer});
+  add(storage_binding, storage_kinds(spec_.storage));
+  add(parameterization_binding, parameterization_->lookup_kinds());
+  lookup_layout_ = vk::raii::DescriptorSetLayout(device_.handle(), {{}, bindings});
   pool_ =
-      vk::raii::DescriptorPool(device.handle(), {vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, count, sizes});
+      vk::raii::DescriptorPool(device_.handle(), {vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, count, sizes});
   const std::vector<vk::DescriptorSetLayout> layouts(count, *lookup_layout_);
-  for (auto& set : vk::raii::DescriptorSets(device.handle(), {*pool_, layouts})) lookup_sets_.push_back(std::move(set));
+  for (auto& set : vk::raii::DescriptorSets(device_.handle(), {*pool_, layouts}))
+    lookup_sets_.push_back(std::move(set));
+}
+
+void MapTechnique::write_lookup_sets() {
+  using gpu::Binding;
+  for (uint32_t i = 0; i < options_.frames_in_flight; ++i) {
+    gpu::write_set(device_, *lookup_sets_[i], 0,
+                   std::array{Binding::storage(views_[i]), Binding::uniform(lookups_[i])});
+    gpu::write_set(device_, *lookup_sets_[i], storage_binding, storage_->lookup_bindings());
+    gpu::write_set(device_, *lookup_sets_[i], parameterization_binding, parameterization_->lookup_bindings(i));
+  }
 }
 
 void MapTechnique::build_for(LightKind light) {
   if (built_for_ && (*built_for_ == LightKind::point) == (light == LightKind::point)) return;
-  const bool six_faces = light == LightKind::point;
   device_.handle().waitIdle();  // earlier frames may still read the old map
-  storage_.emplace(device_, spec_.resolution, six_faces ? 6 : 1, options_.frames_in_flight,
-                   casters_shader(spec_.parameterization + "/" + spec_.storage), *lookup_layout_);
+  storage_ =
+      make_storage(device_, {spec_, parameterization_->map_extent(light), options_.frames_in_flight, *lookup_layout_});
   using enum gpu::BindingKind;
   const vk::DescriptorSetLayout lookup_layout = *lookup_layout_;
   lookup_ = gpu::ComputePass(device_, lookup_shader(spec_.parameterization + "/" + spec_.storage + "/" + spec_.filter),
                              {uniform_buffer, sampled_image, sampled_image, storage_image}, 0,
-                             std::span(&lookup_layout, 1), six_faces);
+                             std::span(&lookup_layout, 1), light == LightKind::point);
   built_for_ = light;
-  for (uint32_t i = 0; i < options_.frames_in_flight; ++i) {
-    const vk::DescriptorBufferInfo views(views_[i].handle(), 0, VK_WHOLE_SIZE),
-        lookup(lookups_[i].handle(), 0, VK_WHOLE_SIZE);
-    const vk::DescriptorImageInfo map(*sampler_, storage_->map().view(), vk::ImageLayout::eShaderReadOnlyOptimal);
-    device_.handle().updateDescriptorSets(
-        {vk::WriteDescriptorSet(*lookup_sets_[i], 0, 0, vk::DescriptorType::eStorageBuffer, {}, views),
-         vk::WriteDescriptorSet(*lookup_sets_[i], 1, 0, vk::DescriptorType::eUniformBuffer, {}, lookup),
-         vk::WriteDescriptorSet(*lookup_sets_[i], 2, 0, vk::DescriptorType::eCombinedImageSampler, map)},
-        {});
-  }
+  write_lookup_sets();
 }
 
 void MapTechnique::prepare(const Frame& frame, gpu::Recorder& recorder) {
+  check_light(spec_.parameterization, frame.light.kind);
   parameterization_->prepare(frame, recorder);
   build_for(frame.light.kind);
   recorder.cpu_stage("shadow constants", [&] {
@@ -114,8 +130,9 @@ void MapTechnique::write_constants(const Frame& frame) {
   lookup.light_kind = light_kind(frame.light.kind);
   lookup.eye = glm::vec3(frame.camera.eye());
   lookup.bias_scale = static_cast<float>(spec_.number("bias"));
-  lookup.map_size = glm::vec2(static_cast<float>(spec_.resolution));
-  if (spec_.filter == "pcf") {
+  const MapExtent extent = parameterization_->map_extent(frame.light.kind);
+  lookup.map_size = glm::vec2(extent.width, extent.height);
+  if (spec_.takes("radius")) {
     lookup.pcf_radius = static_cast<float>(spec_.number("radius") + 0.5);
     lookup.pcf_width = static_cast<float>(0.5 * spec_.number("width"));
   }
@@ -130,6 +147,7 @@ std::vector<gpu::Binding> MapTechnique::receiver_bindings(const Frame& frame) co
 
 void MapTechnique::record(const Frame& frame, gpu::Recorder& recorder) {
   const vk::DescriptorSet set = lookup_set(frame);
+  parameterization_->record(frame, recorder);
   storage_->record(frame, slot(frame), parameterization_->views(), set, recorder);
   recorder.stage("look-up", [&](const vk::raii::CommandBuffer& commands) {
     visibility_.transition(commands, vk::ImageLayout::eGeneral, true);
@@ -185,13 +203,30 @@ std::optional<OracleRays> MapTechnique::oracle_rays(const Frame& frame) {
     std::memcpy(values.data(), data.data(), bytes);
     return values;
   };
-  const bool one_texel_answers = spec_.filter == "hard";
+  const bool one_texel_answers = spec_.storage == "depth" && spec_.filter == "hard";
   return OracleRays{one_texel_answers ? read(origins) : std::vector<glm::vec3>{}, read(texel_u), read(texel_v)};
 }
 
+Counters MapTechnique::counters() const {
+  Counters counters = parameterization_->counters();
+  if (storage_) counters.merge(storage_->counters());
+  return counters;
+}
+
+std::vector<std::string> MapTechnique::debug_names() const {
+  std::vector<std::string> names = parameterization_->debug_names();
+  if (storage_)
+    for (std::string& name : storage_->debug_names()) names.push_back(std::move(name));
+  return names;
+}
+
 Picture MapTechnique::debug_picture(std::string_view name) {
-  if (name != "shadow-map") return Technique::debug_picture(name);
-  return storage_->picture();
+  const auto has = [&](const std::vector<std::string>& names) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  if (has(parameterization_->debug_names())) return parameterization_->debug_picture(name);
+  if (storage_ && has(storage_->debug_names())) return storage_->debug_picture(name);
+  return Technique::debug_picture(name);
 }
 
 }  // namespace shadewright::shadow

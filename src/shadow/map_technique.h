@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "shadow/parameterization/parameterization.h"
-#include "shadow/storage/depth/depth.h"
+#include "shadow/storage/storage.h"
 
 namespace shadewright::shadow {
 
@@ -19,19 +19,21 @@ class MapTechnique final : public Technique {
   bool needs_readback() const override { return parameterization_->traits().needs_readback; }
   gpu::Image& visibility() override { return visibility_; }
   std::vector<Allocation> allocations() const override;
-  Counters counters() const override { return parameterization_->counters(); }
+  Counters counters() const override;
   std::span<const MapView> views() const override { return parameterization_->views(); }
   vk::DescriptorSetLayout lookup_layout() const override { return *lookup_layout_; }
   vk::DescriptorSet lookup_set(const Frame& frame) const override { return *lookup_sets_[slot(frame)]; }
   std::vector<std::string> lookup_includes() const override;
   std::optional<OracleRays> oracle_rays(const Frame& frame) override;
-  std::vector<std::string> debug_names() const override { return {"shadow-map"}; }
+  std::vector<std::string> debug_names() const override;
   Picture debug_picture(std::string_view name) override;
 
  private:
   uint32_t slot(const Frame& frame) const { return static_cast<uint32_t>(frame.index % options_.frames_in_flight); }
   /// Makes map and look-up when the first frame, or a light of another kind, needs them: a point light has six faces.
   void build_for(LightKind light);
+  void make_lookup_sets();
+  void write_lookup_sets();
   void write_constants(const Frame& frame);
   std::vector<gpu::Binding> receiver_bindings(const Frame& frame) const;
 
@@ -44,7 +46,7 @@ class MapTechnique final : public Technique {
   vk::raii::DescriptorSetLayout lookup_layout_{nullptr};
   vk::raii::DescriptorPool pool_{nullptr};
   std::vector<vk::raii::DescriptorSet> lookup_sets_;
-  std::optional<DepthStorage> storage_;
+  std::unique_ptr<Storage> storage_;
   std::optional<LightKind> built_for_;
   gpu::ComputePass lookup_;
 };

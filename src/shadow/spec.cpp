@@ -12,33 +12,13 @@
 #include <stdexcept>
 
 #include "shadewright/error.h"
+#include "shadow/parts.h"
 
 namespace shadewright::shadow {
 
 namespace {
 
 const std::string example = "an example that works: uniform/depth/pcf@2048,radius=2";
-
-/// The parts of the three axes, and which of them are built. A part that is not is refused by name.
-struct Part {
-  std::string_view axis, name, stands_for;
-  bool built;
-};
-constexpr Part parts[] = {
-    {"parameterization", "uniform", "one matrix fitted to the receivers", true},
-    {"parameterization", "perspective", "perspective shadow maps (PSM 2002)", false},
-    {"parameterization", "cascaded", "cascaded shadow maps", false},
-    {"parameterization", "rectilinear", "rectilinear texture warping (RTW 2012)", false},
-    {"parameterization", "paged", "adaptive and resolution-matched maps (ASM 2001, RMSM 2007)", false},
-    {"storage", "depth", "the depth of the closest occluder", true},
-    {"storage", "moments", "variance shadow maps (VSM 2006)", false},
-    {"storage", "subpixel", "sub-pixel shadow maps (SPSM 2014)", false},
-    {"storage", "triangle", "three vertices a texel (RGSM 2008)", false},
-    {"filter", "hard", "one texel answers", true},
-    {"filter", "pcf", "percentage-closer filtering", true},
-    {"filter", "aa", "the storage's own anti-aliasing", false},
-    {"filter", "trilinear", "two pages blended (RMSM)", false},
-};
 
 const std::array<SpecAlias, 12> aliases{{{"sm", "uniform/depth/hard"},
                                          {"pcf", "uniform/depth/pcf"},
@@ -53,62 +33,71 @@ const std::array<SpecAlias, 12> aliases{{{"sm", "uniform/depth/hard"},
                                          {"asm", "paged/depth/trilinear,refine=edges"},
                                          {"ray", "ray"}}};
 
-const std::array<SpecKey, 4> keys{{
-    {"bias", "map", {}, 0, 100, false, "1", "scale of the automatic bias; 1 is right on every scene"},
-    {"fit",
-     "uniform",
-     {"scene", "view", "visible"},
-     0,
-     0,
-     false,
-     "view",
-     "what receives: all of the scene, what the camera's frustum holds, or this frame's surface points"},
-    {"radius", "pcf", {}, 0, 7, true, "1", "the filter's box reaches this many texels to each side"},
-    {"width",
-     "pcf",
-     {},
-     0,
-     1000,
-     false,
-     "0",
-     "the filter's whole width in metres, the same at every resolution; 0 = use radius"},
-}};
+SpecKey number_key(std::string name, std::string owner, double min, double max, std::string standard,
+                   std::string help) {
+  return {SpecKey::Kind::number, std::move(name), std::move(owner), {}, min, max, std::move(standard), std::move(help)};
+}
+SpecKey whole_key(std::string name, std::string owner, double min, double max, std::string standard, std::string help) {
+  return {SpecKey::Kind::whole, std::move(name), std::move(owner), {}, min, max, std::move(standard), std::move(help)};
+}
+/// The first choice is the default unless `standard` names another.
+SpecKey choice_key(std::string name, std::string owner, std::vector<std::string> choices, std::string help,
+                   std::string standard = {}) {
+  if (standard.empty()) standard = choices.front();
+  return {SpecKey::Kind::choice, std::move(name), std::move(owner), std::move(choices), 0, 0,
+          std::move(standard),   std::move(help)};
+}
 
-constexpr uint32_t default_resolution = 2048, min_resolution = 16, max_resolution = 16384;
-
-const Part* find_part(std::string_view axis, std::string_view name) {
-  const auto* found =
-      std::find_if(std::begin(parts), std::end(parts), [&](const Part& p) { return p.axis == axis && p.name == name; });
-  return found == std::end(parts) ? nullptr : found;
+const std::vector<SpecKey>& all_keys() {
+  static const std::vector<SpecKey> keys{
+      number_key("bias", "map", 0, 100, "1", "scale of the automatic bias; 1 is right on every scene"),
+      choice_key("fit", "uniform", {"view", "scene", "visible"},
+                 "what receives: what the camera's frustum holds, all of the scene, or this frame's surface points"),
+      whole_key("radius", "pcf", 0, 7, "1", "the filter's box reaches this many texels to each side"),
+      number_key("width", "pcf", 0, 1000, "0",
+                 "the filter's whole width in metres, the same at every resolution; 0 = use radius"),
+  };
+  return keys;
 }
 
 std::string names(std::string_view axis) {
   std::vector<std::string_view> result;
-  for (const Part& part : parts)
+  for (const Part& part : parts())
     if (part.axis == axis) result.push_back(part.name);
   return fmt::format("{}", fmt::join(result, ", "));
 }
 
+/// Splits at `separator`, but not inside parentheses, in which a nested spec stands.
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> result;
-  for (size_t begin = 0;;) {
-    const size_t end = text.find(separator, begin);
-    result.push_back(text.substr(begin, end - begin));
-    if (end == std::string_view::npos) return result;
-    begin = end + 1;
+  size_t begin = 0;
+  int depth = 0;
+  for (size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '(') ++depth;
+    if (text[i] == ')') --depth;
+    if (text[i] != separator || depth != 0) continue;
+    result.push_back(text.substr(begin, i - begin));
+    begin = i + 1;
   }
-}
-
-std::string refuse_unbuilt(const Part& part) {
-  return fmt::format("{} '{}' ({}) is not built yet", part.axis, part.name, part.stands_for);
+  result.push_back(text.substr(begin));
+  return result;
 }
 
 void check_part(const std::string& text, std::string_view axis, const std::string& name) {
-  const Part* part = find_part(axis, name);
-  if (!part)
+  if (!find_part(axis, name))
     throw InputError(fmt::format("spec '{}'", text), fmt::format("there is no {} '{}'", axis, name),
                      fmt::format("choose one of {}; {}", names(axis), example));
-  if (!part->built) throw InputError(fmt::format("spec '{}'", text), refuse_unbuilt(*part), example);
+}
+
+/// Refuses combinations that make no sense, and those that are not built.
+void check_combination(const Spec& spec) {
+  const std::string subject = fmt::format("spec '{}'", spec.text);
+  const std::string combination = fmt::format("{}/{}/{}", spec.parameterization, spec.storage, spec.filter);
+  if (const std::string why = why_refused(spec.parameterization, spec.storage, spec.filter); !why.empty())
+    throw InputError(subject, fmt::format("{} makes no sense: {}", combination, why), example);
+  if (!is_built(spec.parameterization, spec.storage, spec.filter))
+    throw InputError(subject, fmt::format("{} is not built yet", combination),
+                     "'shadewright render --help-spec' lists what is");
 }
 
 std::optional<double> parse_number(std::string_view text) {
@@ -118,30 +107,69 @@ std::optional<double> parse_number(std::string_view text) {
   return value;
 }
 
-uint32_t parse_resolution(const std::string& text, std::string_view digits) {
+uint32_t parse_resolution(const std::string& text, std::string_view digits, const Resolutions& allowed) {
   const auto number = parse_number(digits);
-  if (!number || *number != std::floor(*number) || *number < min_resolution || *number > max_resolution)
+  if (!number || *number != std::floor(*number) || *number < allowed.min || *number > allowed.max)
     throw InputError(
         fmt::format("spec '{}'", text),
-        fmt::format("resolution '{}' is not a whole number from {} to {}", digits, min_resolution, max_resolution),
-        example);
+        fmt::format("resolution '{}' is not a whole number from {} to {}", digits, allowed.min, allowed.max), example);
   return static_cast<uint32_t>(*number);
 }
 
-const SpecKey& find_key(std::string_view name) {
-  const auto found = std::find_if(keys.begin(), keys.end(), [&](const SpecKey& key) { return key.name == name; });
-  if (found == keys.end()) throw std::logic_error(fmt::format("no spec key '{}'", name));
-  return *found;
+bool belongs(const SpecKey& key, const Spec& spec) {
+  return (key.owner == "map" && !spec.storage.empty()) || key.owner == spec.parameterization ||
+         key.owner == spec.storage || key.owner == spec.filter;
 }
 
-bool belongs(const SpecKey& key, const Spec& spec) {
-  return key.owner == "map" || key.owner == spec.parameterization || key.owner == spec.storage ||
-         key.owner == spec.filter;
+/// The key of that name which belongs to a part of `spec` (parts may use the same name); null if there is none.
+const SpecKey* find_key(std::string_view name, const Spec& spec) {
+  for (const SpecKey& key : all_keys())
+    if (key.name == name && belongs(key, spec)) return &key;
+  return nullptr;
+}
+
+const std::string& value_of(const Spec& spec, std::string_view name) {
+  if (const auto found = spec.values.find(name); found != spec.values.end()) return found->second;
+  const SpecKey* key = find_key(name, spec);
+  if (!key) throw std::logic_error(fmt::format("spec '{}' has no key '{}'", spec.text, name));
+  return key->default_value;
 }
 
 std::string value_range(const SpecKey& key) {
-  if (!key.choices.empty()) return fmt::format("one of {}", fmt::join(key.choices, ", "));
-  return fmt::format("{} from {} to {}", key.integer ? "a whole number" : "a number", key.min, key.max);
+  switch (key.kind) {
+    case SpecKey::Kind::choice:
+      return fmt::format("one of {}", fmt::join(key.choices, ", "));
+    case SpecKey::Kind::number:
+      return fmt::format("a number from {} to {}", key.min, key.max);
+    case SpecKey::Kind::whole:
+      return fmt::format("a whole number from {} to {}", key.min, key.max);
+    case SpecKey::Kind::file:
+      return "a file's path";
+    case SpecKey::Kind::spec:
+      return "a spec in parentheses";
+  }
+  return {};
+}
+
+/// True if `value` can be the value of `key`. Throws what a nested spec throws.
+bool is_good(const SpecKey& key, std::string_view value) {
+  switch (key.kind) {
+    case SpecKey::Kind::choice:
+      return std::find(key.choices.begin(), key.choices.end(), value) != key.choices.end();
+    case SpecKey::Kind::number:
+    case SpecKey::Kind::whole: {
+      const auto number = parse_number(value);
+      return number && *number >= key.min && *number <= key.max &&
+             (key.kind == SpecKey::Kind::number || *number == std::floor(*number));
+    }
+    case SpecKey::Kind::file:
+      return !value.empty();
+    case SpecKey::Kind::spec:
+      if (value.size() < 2 || value.front() != '(' || value.back() != ')') return false;
+      parse_spec(value.substr(1, value.size() - 2));
+      return true;
+  }
+  return false;
 }
 
 void parse_key(Spec& spec, std::string_view item, std::set<std::string_view>& seen) {
@@ -150,25 +178,21 @@ void parse_key(Spec& spec, std::string_view item, std::set<std::string_view>& se
   if (equals == std::string_view::npos || equals == 0)
     throw InputError(subject, fmt::format("'{}' is not key=value", item), example);
   const std::string_view name = item.substr(0, equals), value = item.substr(equals + 1);
-  const auto key = std::find_if(keys.begin(), keys.end(), [&](const SpecKey& k) { return k.name == name; });
-  std::vector<std::string> own;
-  for (const SpecKey& k : keys)
-    if (belongs(k, spec)) own.push_back(k.name);
+  std::vector<std::string_view> own;
+  std::string_view other_owner;
+  for (const SpecKey& key : all_keys()) {
+    if (belongs(key, spec)) own.push_back(key.name);
+    if (key.name == name) other_owner = key.owner;
+  }
   const std::string choose = own.empty() ? "it takes no keys" : fmt::format("its keys are {}", fmt::join(own, ", "));
-  if (key == keys.end()) throw InputError(subject, fmt::format("there is no key '{}'", name), choose);
-  if (!belongs(*key, spec))
-    throw InputError(subject, fmt::format("key '{}' belongs to '{}', which this spec does not use", name, key->owner),
+  const SpecKey* key = find_key(name, spec);
+  if (!key && other_owner.empty()) throw InputError(subject, fmt::format("there is no key '{}'", name), choose);
+  if (!key)
+    throw InputError(subject, fmt::format("key '{}' belongs to '{}', which this spec does not use", name, other_owner),
                      choose);
   if (!seen.insert(name).second)
     throw InputError(subject, fmt::format("key '{}' is given twice", name), "give it once");
-  bool good;
-  if (!key->choices.empty()) {
-    good = std::find(key->choices.begin(), key->choices.end(), value) != key->choices.end();
-  } else {
-    const auto number = parse_number(value);
-    good = number && *number >= key->min && *number <= key->max && (!key->integer || *number == std::floor(*number));
-  }
-  if (!good)
+  if (!is_good(*key, value))
     throw InputError(subject, fmt::format("{}={} is out of range", name, value),
                      fmt::format("give {}", value_range(*key)));
   if (value != key->default_value) spec.values.emplace(name, value);
@@ -189,7 +213,7 @@ std::string expand_alias(std::string_view text) {
 }  // namespace
 
 std::span<const SpecKey> spec_keys() {
-  return keys;
+  return all_keys();
 }
 std::span<const SpecAlias> spec_aliases() {
   return aliases;
@@ -231,7 +255,9 @@ Spec parse_spec(std::string_view text) {
   check_part(spec.text, "parameterization", spec.parameterization);
   check_part(spec.text, "storage", spec.storage);
   check_part(spec.text, "filter", spec.filter);
-  spec.resolution = resolution ? parse_resolution(spec.text, *resolution) : default_resolution;
+  check_combination(spec);
+  const Resolutions allowed = resolutions(spec.parameterization);
+  spec.resolution = resolution ? parse_resolution(spec.text, *resolution, allowed) : allowed.standard;
   std::set<std::string_view> seen;
   for (size_t i = 1; i < items.size(); ++i) parse_key(spec, items[i], seen);
   return spec;
@@ -245,13 +271,15 @@ std::string Spec::canonical() const {
 }
 
 double Spec::number(std::string_view key) const {
-  const auto found = values.find(key);
-  return *parse_number(found == values.end() ? find_key(key).default_value : found->second);
+  return *parse_number(value_of(*this, key));
 }
 
 std::string Spec::choice(std::string_view key) const {
-  const auto found = values.find(key);
-  return found == values.end() ? find_key(key).default_value : found->second;
+  return value_of(*this, key);
+}
+
+bool Spec::takes(std::string_view key) const {
+  return find_key(key, *this) != nullptr;
 }
 
 std::vector<std::string> expand_sweep(std::string_view text) {
@@ -259,8 +287,10 @@ std::vector<std::string> expand_sweep(std::string_view text) {
   if (at == std::string_view::npos || dots == std::string_view::npos || dots < at) return {std::string(text)};
   const size_t end = std::min(text.find(',', dots), text.size());
   const std::string whole(text);
-  const uint32_t from = parse_resolution(whole, text.substr(at + 1, dots - at - 1));
-  const uint32_t to = parse_resolution(whole, text.substr(dots + 2, end - dots - 2));
+  const std::string expanded = expand_alias(text);
+  const Resolutions allowed = resolutions(expanded.substr(0, expanded.find_first_of("/@,")));
+  const uint32_t from = parse_resolution(whole, text.substr(at + 1, dots - at - 1), allowed);
+  const uint32_t to = parse_resolution(whole, text.substr(dots + 2, end - dots - 2), allowed);
   if (from > to)
     throw InputError(fmt::format("spec '{}'", text), "the sweep runs downwards", fmt::format("write {}..{}", to, from));
   std::vector<std::string> result;
@@ -275,16 +305,20 @@ std::string spec_help() {
   for (const SpecAlias& alias : aliases) text += fmt::format("  {:<8} {}\n", alias.name, alias.spec);
   for (const std::string_view axis : {"parameterization", "storage", "filter"}) {
     text += fmt::format("\n{}\n", axis);
-    for (const Part& part : parts)
-      if (part.axis == axis)
-        text += fmt::format("  {:<12} {}{}\n", part.name, part.stands_for, part.built ? "" : " (not built yet)");
+    for (const Part& part : parts())
+      if (part.axis == axis) text += fmt::format("  {:<17} {}\n", part.name, part.stands_for);
   }
-  text += fmt::format("\nresolution: texels per axis, {} to {}, default {}\n\nKeys\n", min_resolution, max_resolution,
-                      default_resolution);
-  for (const SpecKey& key : keys)
-    text += fmt::format("  {:<8} {:<8} {} (default {}): {}\n", key.name, key.owner, value_range(key), key.default_value,
-                        key.help);
-  text += "\nLights: uniform serves directional, spot and point lights (six faces).\n";
+  text += "\n" + combinations_help() + "\nresolution, default\n";
+  for (const Part& part : parts())
+    if (part.axis == "parameterization") {
+      const Resolutions allowed = resolutions(part.name);
+      text +=
+          fmt::format("  {:<17} {} to {} texels per axis, {}\n", part.name, allowed.min, allowed.max, allowed.standard);
+    }
+  text += "\nKeys\n";
+  for (const SpecKey& key : all_keys())
+    text += fmt::format("  {:<10} {:<12} {} (default {}): {}\n", key.name, key.owner, value_range(key),
+                        key.default_value, key.help);
   return text;
 }
 

@@ -48,10 +48,12 @@ TEST(SpecTest, RefusesWithAReason) {
   EXPECT_NE(refusal("sm,radius=2").find("belongs to 'pcf'"), std::string::npos);
   EXPECT_NE(refusal("pcf,radius=2.5").find("whole number"), std::string::npos);
   EXPECT_NE(refusal("pcf,radius=99").find("out of range"), std::string::npos);
-  EXPECT_NE(refusal("sm,fit=tight").find("scene, view, visible"), std::string::npos);
+  EXPECT_NE(refusal("sm,fit=tight").find("view, scene, visible"), std::string::npos);
   EXPECT_NE(refusal("sm,bias=1,bias=2").find("twice"), std::string::npos);
   EXPECT_NE(refusal("sm,bias=nan").find("out of range"), std::string::npos);
   EXPECT_NE(refusal("ray@5").find("neither"), std::string::npos);
+  EXPECT_NE(refusal("uniform/depth/aa").find("makes no sense"), std::string::npos);
+  EXPECT_NE(refusal("uniform/depth/trilinear").find("only paged maps"), std::string::npos);
 }
 
 TEST(SpecTest, RefusesUnbuiltPartsByName) {

@@ -38,6 +38,9 @@ vk::DescriptorType descriptor_type(BindingKind kind);
 vk::raii::DescriptorSetLayout make_set_layout(const Device& device, std::span<const BindingKind> kinds,
                                               vk::ShaderStageFlags stages, bool push);
 
+/// Writes bindings `first`, `first` + 1, ... of a set that no recorded command reads.
+void write_set(const Device& device, vk::DescriptorSet set, uint32_t first, std::span<const Binding> bindings);
+
 /// Clamped sampler; outside the image a depth map reads 1, which is lit.
 vk::raii::Sampler make_sampler(const Device& device, vk::Filter filter);
 
@@ -62,9 +65,10 @@ class ComputePass {
 };
 
 struct GraphicsDesc {
-  std::span<const uint32_t> vertex, fragment;  ///< SPIR-V; no fragment = depth only
-  std::vector<BindingKind> kinds;              ///< of the pushed set 0, for both stages
-  std::vector<vk::DescriptorSetLayout> sets;   ///< further sets
+  /// SPIR-V; those left empty are left out. With tessellation, three vertices make a patch.
+  std::span<const uint32_t> vertex, tessellation_control, tessellation_evaluation, geometry, fragment;
+  std::vector<BindingKind> kinds;             ///< of the pushed set 0, for all stages
+  std::vector<vk::DescriptorSetLayout> sets;  ///< further sets
   uint32_t push_bytes = 0;
   std::vector<vk::VertexInputBindingDescription> vertex_bindings;
   std::vector<vk::VertexInputAttributeDescription> vertex_attributes;

@@ -24,15 +24,18 @@ struct Spec {
   /// The value of `key`, or its default. Logic error for an unknown key or another type.
   double number(std::string_view key) const;
   std::string choice(std::string_view key) const;
+  /// True if this technique takes the key at all.
+  bool takes(std::string_view key) const;
 };
 
 /// One key of a spec.
 struct SpecKey {
+  enum class Kind { number, whole, choice, file, spec };
+  Kind kind = Kind::number;
   std::string name;
-  std::string owner;                 ///< "map" (every map technique) or a parameterization, storage or filter
-  std::vector<std::string> choices;  ///< empty: a number
-  double min = 0, max = 0;
-  bool integer = false;
+  std::string owner;                 ///< "map" (every map technique), a parameterization, storage or filter
+  std::vector<std::string> choices;  ///< of a choice
+  double min = 0, max = 0;           ///< of a number
   std::string default_value;
   std::string help;
 };

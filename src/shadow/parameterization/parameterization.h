@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "shadewright/gpu/pass.h"
 #include "shadewright/shadow/technique.h"
 
 namespace shadewright::shadow {
@@ -18,17 +19,43 @@ struct Traits {
   bool needs_readback = false;
 };
 
+/// The size of a map, texels and layers.
+struct MapExtent {
+  uint32_t width = 0, height = 0, layers = 1;
+  bool operator==(const MapExtent&) const = default;
+};
+
+/// The first binding of a parameterization's own resources in the look-up's set; the storage's begin at 2.
+inline constexpr uint32_t parameterization_binding = 8, storage_binding = 2;
+
 class Parameterization {
  public:
   virtual ~Parameterization() = default;
   virtual Traits traits() const = 0;
   /// The most views a frame can have.
   virtual uint32_t max_views() const = 0;
+  /// The map that a light of this kind needs.
+  virtual MapExtent map_extent(LightKind light) const = 0;
   /// Finds the frame's views. May submit and wait if it says so in its traits.
   virtual void prepare(const Frame& frame, gpu::Recorder& recorder) = 0;
+  /// Records what must run on the device before casters are drawn.
+  virtual void record(const Frame&, gpu::Recorder&) {}
   virtual std::span<const MapView> views() const = 0;
+
+  /// Kinds of what its GLSL module reads besides the views, bound from `parameterization_binding` on.
+  virtual std::vector<gpu::BindingKind> lookup_kinds() const { return {}; }
+  /// Those resources for the frames of `slot`; they stay the same as long as the map's extent does.
+  virtual std::vector<gpu::Binding> lookup_bindings(uint32_t /*slot*/) const { return {}; }
+
   virtual Counters counters() const = 0;
   virtual std::vector<Allocation> allocations() const { return {}; }
+  virtual std::vector<std::string> debug_names() const { return {}; }
+  /// The debug picture of a name that is one of `debug_names`, of the last recorded frame. Waits.
+  virtual Picture debug_picture(std::string_view) { return {}; }
 };
+
+/// The parameterization that `spec` names.
+std::unique_ptr<Parameterization> make_parameterization(const gpu::Device& device, const Spec& spec,
+                                                        const TechniqueOptions& options);
 
 }  // namespace shadewright::shadow

@@ -22,8 +22,8 @@ double unordered(uint32_t ordered) {
 
 }  // namespace
 
-Uniform::Uniform(const gpu::Device& device, const Spec& spec)
-    : device_(device), fit_(spec.choice("fit")), resolution_(spec.resolution) {
+Uniform::Uniform(const gpu::Device& device, uint32_t resolution, std::string_view fit)
+    : device_(device), fit_(fit), resolution_(resolution) {
   if (fit_ != "visible") return;
   using enum gpu::BindingKind;
   reduce_ =

@@ -14,10 +14,14 @@ namespace shadewright::shadow {
 
 class Uniform final : public Parameterization {
  public:
-  Uniform(const gpu::Device& device, const Spec& spec);
+  /// `fit` is "scene", "view" or "visible".
+  Uniform(const gpu::Device& device, uint32_t resolution, std::string_view fit);
 
   Traits traits() const override { return {.layered = true, .needs_readback = fit_ == "visible"}; }
   uint32_t max_views() const override { return 6; }
+  MapExtent map_extent(LightKind light) const override {
+    return {resolution_, resolution_, light == LightKind::point ? 6u : 1u};
+  }
   void prepare(const Frame& frame, gpu::Recorder& recorder) override;
   std::span<const MapView> views() const override { return views_; }
   Counters counters() const override;

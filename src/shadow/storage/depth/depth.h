@@ -1,41 +1,30 @@
 // depth: the map keeps the depth of the closest occluder (Williams, "Casting curved shadows on curved surfaces", 1978).
 #pragma once
 
-#include <optional>
-
-#include "shadewright/render/scene_gpu.h"
-#include "shadewright/shadow/technique.h"
+#include "shadow/storage/caster_draws.h"
+#include "shadow/storage/storage.h"
 
 namespace shadewright::shadow {
 
-class DepthStorage {
+class DepthStorage final : public Storage {
  public:
-  /// A map of `resolution` x `resolution` texels with `layers` layers, drawn with the casters' shader `vertex`
-  /// (SPIR-V).
-  DepthStorage(const gpu::Device& device, uint32_t resolution, uint32_t layers, uint32_t frames_in_flight,
-               std::span<const uint32_t> vertex, vk::DescriptorSetLayout lookup_layout);
+  DepthStorage(const gpu::Device& device, const StorageDesc& desc);
 
-  /// Host work of a frame: which clusters each view draws.
-  void prepare(const Frame& frame, uint32_t slot, std::span<const MapView> views);
-  /// Records culling and the drawing of all views; the map is left in shader-read layout.
+  void prepare(const Frame& frame, uint32_t slot, std::span<const MapView> views) override;
   void record(const Frame& frame, uint32_t slot, std::span<const MapView> views, vk::DescriptorSet lookup_set,
-              gpu::Recorder& recorder);
-
-  /// The map as a picture, near bright and empty black, six faces one below the other. Waits.
-  Picture picture();
-  const gpu::Image& map() const { return map_; }
-  std::vector<Allocation> allocations() const;
+              gpu::Recorder& recorder) override;
+  std::vector<gpu::Binding> lookup_bindings() const override;
+  std::vector<Allocation> allocations() const override;
+  std::vector<std::string> debug_names() const override { return {"shadow-map"}; }
+  /// The map, near bright and empty black, layers one below the other.
+  Picture debug_picture(std::string_view name) override;
 
  private:
-  void draw_view(const vk::raii::CommandBuffer& commands, const Frame& frame, const MapView& view, uint32_t index,
-                 vk::DescriptorSet lookup_set);
-
   const gpu::Device& device_;
-  uint32_t frames_in_flight_;
   gpu::Image map_;
+  vk::raii::Sampler sampler_;
   gpu::GraphicsPass pass_;
-  std::optional<render::CulledDraws> draws_;
-  const render::SceneGpu* scene_ = nullptr;  ///< whose draws these are
+  CasterDraws draws_;
 };
 
 }  // namespace shadewright::shadow

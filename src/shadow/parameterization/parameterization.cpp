@@ -1,0 +1,17 @@
+#include "shadow/parameterization/parameterization.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "shadow/parameterization/uniform/uniform.h"
+
+namespace shadewright::shadow {
+
+std::unique_ptr<Parameterization> make_parameterization(const gpu::Device& device, const Spec& spec,
+                                                        const TechniqueOptions&) {
+  if (spec.parameterization == "uniform") return std::make_unique<Uniform>(device, spec.resolution, spec.choice("fit"));
+  throw std::logic_error(fmt::format("parameterization '{}' has shaders but no class", spec.parameterization));
+}
+
+}  // namespace shadewright::shadow

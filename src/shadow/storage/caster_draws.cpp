@@ -1,0 +1,56 @@
+#include "shadow/storage/caster_draws.h"
+
+#include <algorithm>
+
+namespace shadewright::shadow {
+
+namespace {
+
+/// What a view that draws nothing lets through.
+const Plane nothing{{0, 0, 0}, -1};
+
+}  // namespace
+
+void CasterDraws::describe(gpu::GraphicsDesc& desc, vk::DescriptorSetLayout lookup_layout) {
+  render::CulledDraws::set_vertex_input(desc, render::SceneInputs::position);
+  desc.sets = {lookup_layout};
+  desc.push_bytes = sizeof(uint32_t);
+  desc.depth_clamp = true;
+}
+
+void CasterDraws::prepare(const Frame& frame, uint32_t slot, std::span<const MapView> views) {
+  if (!frame.scene) return;
+  if (scene_ != frame.scene) {
+    draws_.emplace(*frame.scene, max_views_, frames_in_flight_, "shadow");
+    scene_ = frame.scene;
+  }
+  std::vector<std::vector<Plane>> planes;
+  std::transform(views.begin(), views.end(), std::back_inserter(planes),
+                 [](const MapView& view) { return view.drawn ? view.casters : std::vector<Plane>{nothing}; });
+  draws_->set_views(slot, planes);
+}
+
+void CasterDraws::cull(const Frame& frame, uint32_t slot, gpu::Recorder& recorder) const {
+  if (frame.scene)
+    recorder.stage("shadow cull", [&](const vk::raii::CommandBuffer& commands) { draws_->cull(commands, slot); });
+}
+
+void CasterDraws::draw(const vk::raii::CommandBuffer& commands, const Frame& frame, const MapView& view, uint32_t index,
+                       const gpu::GraphicsPass& pass, vk::DescriptorSet lookup_set) const {
+  const vk::Rect2D area = view.viewport;
+  commands.setViewport(
+      0, vk::Viewport(static_cast<float>(area.offset.x), static_cast<float>(area.offset.y),
+                      static_cast<float>(area.extent.width), static_cast<float>(area.extent.height), 0, 1));
+  commands.setScissor(0, area);
+  if (frame.scene) {
+    pass.bind(commands, {}, gpu::bytes_of(index), std::span(&lookup_set, 1));
+    draws_->draw(commands, index);
+  }
+  if (frame.draw_casters) frame.draw_casters({commands, index, view, lookup_set});
+}
+
+std::vector<Allocation> CasterDraws::allocations() const {
+  return draws_ ? draws_->allocations() : std::vector<Allocation>{};
+}
+
+}  // namespace shadewright::shadow

@@ -1,0 +1,47 @@
+// What a texel keeps of the closest occluder: owns the map and draws the casters into it. Its GLSL module answers for a
+// point (architecture, section 1).
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "shadewright/gpu/pass.h"
+#include "shadewright/shadow/technique.h"
+#include "shadow/parameterization/parameterization.h"
+
+namespace shadewright::shadow {
+
+/// What a storage is built for.
+struct StorageDesc {
+  const Spec& spec;
+  MapExtent extent;
+  uint32_t frames_in_flight = 1;
+  vk::DescriptorSetLayout lookup_layout;  ///< set 1 of the casters' pipelines
+};
+
+class Storage {
+ public:
+  virtual ~Storage() = default;
+  /// Host work of a frame: which clusters each view draws.
+  virtual void prepare(const Frame& frame, uint32_t slot, std::span<const MapView> views) = 0;
+  /// Records culling and the drawing of all views; the map is left in shader-read layout.
+  virtual void record(const Frame& frame, uint32_t slot, std::span<const MapView> views, vk::DescriptorSet lookup_set,
+                      gpu::Recorder& recorder) = 0;
+  /// What the GLSL module reads, bound from `storage_binding` on; of the kinds that `storage_kinds` tells.
+  virtual std::vector<gpu::Binding> lookup_bindings() const = 0;
+  virtual std::vector<Allocation> allocations() const = 0;
+  virtual Counters counters() const { return {}; }
+  virtual std::vector<std::string> debug_names() const = 0;
+  /// The debug picture of a name that is one of `debug_names`, of the last recorded frame. Waits.
+  virtual Picture debug_picture(std::string_view name) = 0;
+};
+
+/// Kinds of what a storage's GLSL module reads.
+std::vector<gpu::BindingKind> storage_kinds(std::string_view storage);
+
+/// The storage that `desc.spec` names.
+std::unique_ptr<Storage> make_storage(const gpu::Device& device, const StorageDesc& desc);
+
+}  // namespace shadewright::shadow
