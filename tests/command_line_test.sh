@@ -61,6 +61,7 @@ works render builtin:spheres -t pcf -o image.exr "${small[@]}" && [ -s image.exr
 works render builtin:spheres -t ray -o ray.png "${small[@]}"
 works render builtin:spheres -t sm@256 -o - "${small[@]}" && head -c 4 stdout | grep -q PNG || fail "no PNG on stdout"
 works render --help-spec
+works render builtin:spheres -t sm -o x.png --debug list && grep -q shadow-map stdout || fail "--debug list names no shadow-map"
 works compare builtin:spheres -t sm@256..512 -t pcf@256 -o out --size 160x90 --repeat 1 --validation
 for file in index.html report.json report.csv reference.png; do [ -s "out/$file" ] || fail "compare wrote no $file"; done
 grep -q '"schema": "shadewright.compare/1"' out/report.json || fail "report.json has no schema"

@@ -1,10 +1,11 @@
-#include "bench_cpvs.h"
+// The tables of "Compact Precomputed Voxelized Shadows" (2014) that need no GPU: figure 9, build times, look-up ratios.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
 
+#include "bench.h"
 #include "shadewright/compare/metrics.h"
 #include "shadewright/raytrace/tracer.h"
 #include "shadewright/scene/builtin.h"
@@ -106,7 +107,7 @@ std::string paper_seconds(uint32_t resolution) {
   }
 }
 
-BenchTable bake_table(const CpvsBench& bench, const Progress& progress) {
+BenchTable bake_table(const BenchOptions& bench, const Progress& progress) {
   BenchTable table{"CPVS figure 9 and build times: size without the top grid, and seconds to bake",
                    "Paper: its own scenes, from a rendered map; ours: built-in scenes that stand for them, from "
                    "triangles. Percent of a 16-bit map.",
@@ -164,7 +165,7 @@ double median_milliseconds(Work work) {
 }
 
 /// Look-ups at the camera's points against one shadow ray each, and how often they are wrong.
-void lookup_rows(const CpvsBench& bench, const char* name, BenchTable& speed, BenchTable& truth,
+void lookup_rows(const BenchOptions& bench, const char* name, BenchTable& speed, BenchTable& truth,
                  const Progress& progress) {
   const Scene scene = make_builtin(name);
   const Light& light = scene.lights.front();
@@ -207,8 +208,8 @@ void lookup_rows(const CpvsBench& bench, const char* name, BenchTable& speed, Be
 
 }  // namespace
 
-std::vector<BenchTable> bench_cpvs(const CpvsBench& bench, const Progress& progress) {
-  std::vector<BenchTable> tables{bake_table(bench, progress)};
+std::vector<BenchTable> bench_cpvs(Bench& bench) {
+  std::vector<BenchTable> tables{bake_table(bench.options(), bench.progress())};
   BenchTable speed{
       "CPVS section 7: look-ups on the CPU at 1080p camera points",
       "Paper: on the GPU, worst case over its fly-throughs. The last column is against one coherent Embree shadow ray "
@@ -221,7 +222,7 @@ std::vector<BenchTable> bench_cpvs(const CpvsBench& bench, const Progress& progr
                    {"scene", "resolution", "wrong", "voxels asked", "disagree"},
                    {}};
   for (const char* name : {"landscape", "city?triangles=613000", "ruins"})
-    lookup_rows(bench, name, speed, truth, progress);
+    lookup_rows(bench.options(), name, speed, truth, bench.progress());
   tables.push_back(std::move(speed));
   tables.push_back(std::move(truth));
   return tables;

@@ -23,6 +23,8 @@ std::string to_markdown(const std::vector<BenchTable>& tables) {
     text += "|\n";
     for (const auto& row : table.rows) line(row);
     text += "\n";
+    for (const auto& picture : table.pictures)
+      text += fmt::format("![{}]({}) {}\n\n", picture.caption, picture.file, picture.caption);
   }
   return text;
 }
@@ -36,7 +38,10 @@ nlohmann::ordered_json to_json(const std::vector<BenchTable>& tables) {
       for (size_t c = 0; c < row.size(); ++c) object[table.columns[c]] = row[c];
       rows.push_back(object);
     }
-    json.push_back({{"title", table.title}, {"note", table.note}, {"rows", rows}});
+    nlohmann::ordered_json pictures = nlohmann::ordered_json::array();
+    for (const auto& picture : table.pictures)
+      pictures.push_back({{"caption", picture.caption}, {"file", picture.file}});
+    json.push_back({{"title", table.title}, {"note", table.note}, {"rows", rows}, {"pictures", pictures}});
   }
   return json;
 }

@@ -13,6 +13,11 @@ struct BenchTable {
   std::string note;   ///< what is the same and what is not, one or two sentences
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;
+
+  struct Picture {
+    std::string caption, file;  ///< the file's name in the bench's folder
+  };
+  std::vector<Picture> pictures = {};
 };
 
 /// GitHub's Markdown, one section a table.

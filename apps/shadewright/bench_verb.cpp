@@ -1,11 +1,13 @@
 // shadewright bench: the papers' tables, their figures beside ours.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <filesystem>
+#include <algorithm>
 #include <memory>
 
-#include "bench_cpvs.h"
+#include "bench.h"
 #include "interrupt.h"
+#include "options.h"
 #include "progress_bar.h"
 #include "shadewright/error.h"
 #include "shadewright/files.h"
@@ -15,45 +17,73 @@ namespace shadewright::app {
 
 namespace {
 
+/// A paper's bench; none where its tables are not built.
+struct Paper {
+  const char* name;
+  std::vector<BenchTable> (*run)(Bench&);
+};
+constexpr Paper papers[] = {
+    {"psm", nullptr}, {"rmsm", nullptr}, {"rtw", nullptr}, {"cpvs", bench_cpvs}, {"spsm", nullptr}};
+
 struct Flags {
   std::vector<std::string> papers;
-  std::string output;
-  CpvsBench cpvs;
+  std::string size;
+  BenchOptions options;
   bool quiet = false;
 };
 
+const Paper& find_paper(const std::string& name) {
+  const auto* paper =
+      std::find_if(std::begin(papers), std::end(papers), [&](const Paper& p) { return p.name == name; });
+  if (paper == std::end(papers))
+    throw InputError("bench " + name, "there is no such paper", "choose among psm, rmsm, rtw, cpvs, spsm");
+  if (!paper->run) throw InputError("bench " + name, "this paper's tables are not built yet", "bench cpvs is");
+  return *paper;
+}
+
 void run(const Flags& flags) {
-  for (const std::string& paper : flags.papers) {
-    if (paper == "cpvs") continue;
-    if (paper == "psm" || paper == "rmsm" || paper == "rtw" || paper == "spsm")
-      throw InputError("bench " + paper, "this paper's tables are not built yet", "bench cpvs is");
-    throw InputError("bench " + paper, "there is no such paper", "choose among psm, rmsm, rtw, cpvs, spsm");
-  }
+  std::vector<const Paper*> chosen;
+  for (const std::string& name : flags.papers) chosen.push_back(&find_paper(name));
+  if (chosen.empty())
+    for (const Paper& paper : papers)
+      if (paper.run) chosen.push_back(&paper);
+  BenchOptions options = flags.options;
+  if (!flags.size.empty()) parse_size(flags.size, options.width, options.height);
   std::error_code error;
-  std::filesystem::create_directories(flags.output, error);
+  std::filesystem::create_directories(options.folder, error);
   if (error)
-    throw FailureError(flags.output, "can't be made (" + error.message() + ")", "choose another place with -o");
+    throw FailureError(options.folder.string(), "can't be made (" + error.message() + ")",
+                       "choose another place with -o");
   ProgressBar bar(flags.quiet);
-  const std::vector<BenchTable> tables = bench_cpvs(flags.cpvs, interruptible(bar.callback()));
-  const std::filesystem::path folder(flags.output);
-  const std::string markdown = to_markdown(tables);
-  write_file(folder / "cpvs.json", to_json(tables).dump(2) + "\n");
-  write_file(folder / "cpvs.md", markdown);
-  bar.clear();
-  if (!flags.quiet) fmt::print("{}", markdown);
+  Bench bench(options, interruptible(bar.callback()));
+  for (const Paper* paper : chosen) {
+    const std::vector<BenchTable> tables = paper->run(bench);
+    const std::string markdown = to_markdown(tables), name = paper->name;
+    write_file(options.folder / (name + ".json"), to_json(tables).dump(2) + "\n");
+    write_file(options.folder / (name + ".md"), markdown);
+    bar.clear();
+    if (!flags.quiet) fmt::print("{}", markdown);
+  }
 }
 
 }  // namespace
 
 void add_bench(CLI::App& app) {
   auto flags = std::make_shared<Flags>();
+  BenchOptions& options = flags->options;
   CLI::App* verb = app.add_subcommand("bench", "The papers' tables, their figures beside ours");
   verb->add_option("PAPER", flags->papers, "psm, rmsm, rtw, cpvs or spsm; none = all that are built");
-  verb->add_option("-o,--output", flags->output, "Folder for the tables (Markdown and JSON)")->required();
-  verb->add_option("--limit", flags->cpvs.limit, "cpvs: largest resolution to bake")
+  verb->add_option("-o,--output", options.folder, "Folder for the tables (Markdown, JSON) and their pictures")
+      ->required();
+  verb->add_option("--size", flags->size, "Image size WxH in pixels, where the paper's tables do not say");
+  verb->add_option("--repeat", options.repeat, "Timed repeats after warm-up")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 10000));
+  verb->add_option("--device", options.device.select, "Device by index or part of its name");
+  verb->add_option("--limit", options.limit, "cpvs: largest resolution to bake")
       ->capture_default_str()
       ->check(CLI::IsMember({1024, 4096, 16384, 32768, 65536, 131072, 262144, 1048576}));
-  verb->add_option("--check", flags->cpvs.check_voxels, "cpvs: random voxels to compare with exact depths, a scene")
+  verb->add_option("--check", options.check_voxels, "cpvs: random voxels to compare with exact depths, a scene")
       ->capture_default_str();
   verb->add_flag("--quiet", flags->quiet, "No progress, no tables on standard output");
   verb->footer("Example: shadewright bench cpvs -o out/bench");

@@ -37,8 +37,10 @@ glm::dvec3 parse_point(const std::string& flag, const std::string& text) {
   return {v[0], v[1], v[2]};
 }
 
-void parse_size(const std::string& text, View& view) {
-  uint32_t* const parts[] = {&view.width, &view.height};
+}  // namespace
+
+void parse_size(const std::string& text, uint32_t& width, uint32_t& height) {
+  uint32_t* const parts[] = {&width, &height};
   const char* at = text.data();
   const char* const end = at + text.size();
   for (int i = 0; i < 2; ++i) {
@@ -49,6 +51,8 @@ void parse_size(const std::string& text, View& view) {
     at = next + (i == 0 ? 1 : 0);
   }
 }
+
+namespace {
 
 Camera choose_camera(const SceneFlags& flags, const Scene& scene, std::vector<std::string>& notes) {
   if (!flags.camera.empty() && !flags.eye.empty())
@@ -148,7 +152,7 @@ View load_view(const SceneFlags& flags, ProgressBar& progress) {
     throw InputError("--path " + flags.path, "camera paths and flicker are not built yet",
                      "leave --path and --frames out");
   View view;
-  parse_size(flags.size, view);
+  parse_size(flags.size, view.width, view.height);
   LoadedScene loaded = load_scene(flags.scene, progress.callback());
   progress.clear();
   view.scene = std::move(loaded.scene);

@@ -48,6 +48,8 @@ View load_view(const SceneFlags& flags, ProgressBar& progress);
 
 /// The light that the flags, the scene, or our own judgement chose; what was chosen is added to `notes`.
 Light choose_light(const LightFlags& flags, const Scene& scene, std::vector<std::string>& notes);
+/// "WxH" in pixels; InputError naming --size.
+void parse_size(const std::string& text, uint32_t& width, uint32_t& height);
 /// "X0,Y0,Z0,X1,Y1,Z1"; InputError naming `flag`.
 Box parse_bounds(const std::string& flag, const std::string& text);
 /// Writes `text` to `file`; "-" is standard output.

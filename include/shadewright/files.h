@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace shadewright {
@@ -18,5 +19,8 @@ void write_atomically(const std::filesystem::path& file,
 void write_file(const std::filesystem::path& file, std::span<const std::byte> bytes);
 /// Writes `text` so.
 void write_file(const std::filesystem::path& file, std::string_view text);
+
+/// A file name for any text: letters, digits and dots stay, the rest becomes dashes.
+std::string file_stem(std::string_view text);
 
 }  // namespace shadewright

@@ -1,5 +1,6 @@
 #include "shadewright/files.h"
 
+#include <cctype>
 #include <fstream>
 #include <system_error>
 
@@ -37,6 +38,12 @@ void write_file(const std::filesystem::path& file, std::span<const std::byte> by
 
 void write_file(const std::filesystem::path& file, std::string_view text) {
   write_file(file, std::as_bytes(std::span(text)));
+}
+
+std::string file_stem(std::string_view text) {
+  std::string stem;
+  for (const char c : text) stem += std::isalnum(static_cast<unsigned char>(c)) || c == '.' ? c : '-';
+  return stem;
 }
 
 }  // namespace shadewright

@@ -70,7 +70,7 @@ void MapTechnique::make_lookup_sets() {
     }
   };
   add(0, std::array{gpu::BindingKind::storage_buffer, gpu::BindingKind::uniform_buffer});
-  add(storage_binding, storage_kinds(spec_.storage));
+  add(storage_binding, storage_traits(spec_.storage).lookup_kinds);
   add(parameterization_binding, parameterization_->lookup_kinds());
   lookup_layout_ = vk::raii::DescriptorSetLayout(device_.handle(), {{}, bindings});
   pool_ =
@@ -215,8 +215,7 @@ Counters MapTechnique::counters() const {
 
 std::vector<std::string> MapTechnique::debug_names() const {
   std::vector<std::string> names = parameterization_->debug_names();
-  if (storage_)
-    for (std::string& name : storage_->debug_names()) names.push_back(std::move(name));
+  for (std::string& name : storage_traits(spec_.storage).debug_names) names.push_back(std::move(name));
   return names;
 }
 
@@ -225,7 +224,7 @@ Picture MapTechnique::debug_picture(std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
   if (has(parameterization_->debug_names())) return parameterization_->debug_picture(name);
-  if (storage_ && has(storage_->debug_names())) return storage_->debug_picture(name);
+  if (storage_ && has(storage_traits(spec_.storage).debug_names)) return storage_->debug_picture(name);
   return Technique::debug_picture(name);
 }
 

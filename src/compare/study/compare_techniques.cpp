@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <set>
 #include <system_error>
 
@@ -13,10 +12,9 @@ namespace shadewright::compare {
 
 namespace {
 
-/// A file name for a spec: letters, digits, dots and dashes.
-std::string file_stem(std::string_view spec, std::set<std::string>& taken) {
-  std::string stem;
-  for (const char c : spec) stem += std::isalnum(static_cast<unsigned char>(c)) || c == '.' ? c : '-';
+/// A file name for a spec that no other spec has.
+std::string unique_stem(std::string_view spec, std::set<std::string>& taken) {
+  const std::string stem = file_stem(spec);
   std::string unique = stem;
   for (int i = 2; !taken.insert(unique).second; ++i) unique = fmt::format("{}-{}", stem, i);
   return unique;
@@ -43,7 +41,7 @@ Report compare_techniques(Study& study, std::span<const shadow::Spec> specs, con
   for (size_t i = 0; i < specs.size(); ++i) {
     progress(specs[i].text, static_cast<double>(i) / static_cast<double>(specs.size()));
     Outcome outcome = study.run(specs[i]);
-    const std::string stem = file_stem(specs[i].text, stems);
+    const std::string stem = unique_stem(specs[i].text, stems);
     outcome.result.image =
         write(render::to_picture(study.shade(outcome.visibility), report.width, report.height), stem + ".png");
     outcome.result.mask =

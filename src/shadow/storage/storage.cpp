@@ -8,8 +8,8 @@
 
 namespace shadewright::shadow {
 
-std::vector<gpu::BindingKind> storage_kinds(std::string_view storage) {
-  if (storage == "depth") return {gpu::BindingKind::sampled_image};
+StorageTraits storage_traits(std::string_view storage) {
+  if (storage == "depth") return {{gpu::BindingKind::sampled_image}, {"shadow-map"}};
   throw std::logic_error(fmt::format("storage '{}' has shaders but no class", storage));
 }
 

@@ -29,17 +29,20 @@ class Storage {
   /// Records culling and the drawing of all views; the map is left in shader-read layout.
   virtual void record(const Frame& frame, uint32_t slot, std::span<const MapView> views, vk::DescriptorSet lookup_set,
                       gpu::Recorder& recorder) = 0;
-  /// What the GLSL module reads, bound from `storage_binding` on; of the kinds that `storage_kinds` tells.
+  /// What the GLSL module reads, bound from `storage_binding` on; of the kinds that its traits tell.
   virtual std::vector<gpu::Binding> lookup_bindings() const = 0;
   virtual std::vector<Allocation> allocations() const = 0;
   virtual Counters counters() const { return {}; }
-  virtual std::vector<std::string> debug_names() const = 0;
-  /// The debug picture of a name that is one of `debug_names`, of the last recorded frame. Waits.
+  /// The debug picture of a name that is one of its traits' `debug_names`, of the last recorded frame. Waits.
   virtual Picture debug_picture(std::string_view name) = 0;
 };
 
-/// Kinds of what a storage's GLSL module reads.
-std::vector<gpu::BindingKind> storage_kinds(std::string_view storage);
+/// What is known of a storage before there is one.
+struct StorageTraits {
+  std::vector<gpu::BindingKind> lookup_kinds;  ///< of what its GLSL module reads
+  std::vector<std::string> debug_names;
+};
+StorageTraits storage_traits(std::string_view storage);
 
 /// The storage that `desc.spec` names.
 std::unique_ptr<Storage> make_storage(const gpu::Device& device, const StorageDesc& desc);

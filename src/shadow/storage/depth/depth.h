@@ -15,7 +15,6 @@ class DepthStorage final : public Storage {
               gpu::Recorder& recorder) override;
   std::vector<gpu::Binding> lookup_bindings() const override;
   std::vector<Allocation> allocations() const override;
-  std::vector<std::string> debug_names() const override { return {"shadow-map"}; }
   /// The map, near bright and empty black, layers one below the other.
   Picture debug_picture(std::string_view name) override;
 
