@@ -211,6 +211,15 @@ Scene make_city(size_t triangles) {
   add_camera(scene, "overview", {0.62 * reach_x, 20 + 0.42 * reach_z, 0.95 * reach_z},
              {-0.04 * reach_x, 2, -0.06 * reach_z}, 45);
   add_camera(scene, "street", {1.4, 1.7, 34}, {-1.6, 3.2, -20}, 58);
+  // From over the roofs down into the street and along it.
+  add_camera_path(scene, "main", 1.5,
+                  {{{0.5 * reach_x, 16 + 0.3 * reach_z, 0.8 * reach_z}, {0, 2, 0}},
+                   {{0.25 * reach_x, 12 + 0.18 * reach_z, 0.65 * reach_z}, {0, 2, 0}},
+                   {{3, 14, 52}, {-1, 3, 10}},
+                   {{1.4, 3, 36}, {-1.2, 3, -4}},
+                   {{0.4, 1.7, 24}, {-1.4, 3.2, -16}},
+                   {{-0.6, 1.9, 10}, {-0.8, 3.4, -30}}},
+                  55);
   add_sun(scene, 128, 40);
   return scene;
 }

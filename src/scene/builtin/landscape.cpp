@@ -70,6 +70,12 @@ Scene make_landscape(double triangles) {
   const auto standing = [&](double x, double z, double above) { return glm::dvec3(x, height(x, z) + above, z); };
   add_camera(scene, "ground", standing(camp.x, camp.z, 1.9), standing(camp.x + 70, camp.z - 50, 12), 55);
   add_camera(scene, "overview", {820, 520, 900}, {60, -60, 60}, 42);
+  std::vector<Waypoint> flight;
+  for (int k = 0; k < 7; ++k) {
+    const double x = camp.x + 90 * k, z = camp.z - 65 * k - 40 * std::sin(1.1 * k);
+    flight.push_back({standing(x, z, 8 + 24.0 * k), standing(x + 90, z - 65, 0)});
+  }
+  add_camera_path(scene, "main", 2, flight, 55);
   add_sun(scene, 200, 45);
   return scene;
 }

@@ -175,6 +175,15 @@ Scene make_ruins(size_t triangles) {
         color(0xB3A27C));
   add_camera(scene, "main", {13, 1.9 + ground_height(13, 19), 19}, {-3, 3.2, -4}, 58);
   add_camera(scene, "overview", {0.5 * reach, 0.42 * reach, 0.85 * reach}, {0, 0, -0.08 * reach}, 45);
+  // On foot to the middle, then up and away.
+  add_camera_path(scene, "main", 2,
+                  {{{13, 1.9 + ground_height(13, 19), 19}, {-3, 3.2, -4}},
+                   {{9, 2.2 + ground_height(9, 13), 13}, {-5, 3.4, -6}},
+                   {{6, 4 + ground_height(6, 9), 9}, {-6, 3, -10}},
+                   {{10, 14, 20}, {-4, 1, -8}},
+                   {{0.25 * reach, 0.2 * reach, 0.4 * reach}, {0, 0, -0.05 * reach}},
+                   {{0.5 * reach, 0.42 * reach, 0.85 * reach}, {0, 0, -0.08 * reach}}},
+                  55);
   add_sun(scene, 14, 34);
   return scene;
 }

@@ -58,13 +58,32 @@ size_t triangle_count(const Scene& scene, const Prop& prop) {
   return count;
 }
 
-void add_camera(Scene& scene, std::string name, const glm::dvec3& eye, const glm::dvec3& target, double fov_y_degrees) {
+namespace {
+
+Camera make_camera(const std::string& name, const glm::dvec3& eye, const glm::dvec3& target, double fov_y_degrees) {
   Camera camera;
-  camera.name = std::move(name);
+  camera.name = name;
   camera.eye = eye;
   camera.target = target;
   camera.fov_y = glm::radians(fov_y_degrees);
-  scene.cameras.push_back(std::move(camera));
+  return camera;
+}
+
+}  // namespace
+
+void add_camera(Scene& scene, std::string name, const glm::dvec3& eye, const glm::dvec3& target, double fov_y_degrees) {
+  scene.cameras.push_back(make_camera(name, eye, target, fov_y_degrees));
+}
+
+void add_camera_path(Scene& scene, std::string name, double seconds_between, const std::vector<Waypoint>& waypoints,
+                     double fov_y_degrees) {
+  CameraPath path;
+  for (const Waypoint& at : waypoints) {
+    path.times.push_back(seconds_between * static_cast<double>(path.times.size()));
+    path.keys.push_back(make_camera(name, at.eye, at.target, fov_y_degrees));
+  }
+  path.name = std::move(name);
+  scene.paths.push_back(std::move(path));
 }
 
 void add_sun(Scene& scene, double azimuth_degrees, double elevation_degrees) {

@@ -40,6 +40,13 @@ size_t triangle_count(const Scene& scene, const Prop& prop);
 
 void add_camera(Scene& scene, std::string name, const glm::dvec3& eye, const glm::dvec3& target,
                 double fov_y_degrees = 50);
+/// Where a camera path passes, and what it looks at there.
+struct Waypoint {
+  glm::dvec3 eye, target;
+};
+/// A camera path of that name: one key every `seconds_between`.
+void add_camera_path(Scene& scene, std::string name, double seconds_between, const std::vector<Waypoint>& waypoints,
+                     double fov_y_degrees = 50);
 /// A directional light named "sun", azimuth and elevation in degrees as on the command line.
 void add_sun(Scene& scene, double azimuth_degrees, double elevation_degrees);
 void add_spot(Scene& scene, std::string name, const glm::dvec3& position, const glm::dvec3& target,

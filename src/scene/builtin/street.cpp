@@ -161,21 +161,15 @@ void add_crowd(Scene& scene, Random& random) {
   }
 }
 
-void add_camera_path(Scene& scene) {
-  CameraPath path;
-  path.name = "main";
+void add_drive(Scene& scene) {
+  std::vector<Waypoint> waypoints;
   constexpr int keys = 7;
   for (int k = 0; k < keys; ++k) {
     const double t = double(k) / (keys - 1);
-    Camera camera;
-    camera.name = "main";
-    camera.eye = {1.6 - 2.4 * t * t, 1.7 + 3.0 * t * t, 68 - 78 * t};
-    camera.target = camera.eye + glm::dvec3(1.5 * std::sin(5 * t), 0.6 - 1.2 * t, -14);
-    camera.fov_y = glm::radians(55.0);
-    path.times.push_back(duration * t);
-    path.keys.push_back(camera);
+    const glm::dvec3 eye(1.6 - 2.4 * t * t, 1.7 + 3.0 * t * t, 68 - 78 * t);
+    waypoints.push_back({eye, eye + glm::dvec3(1.5 * std::sin(5 * t), 0.6 - 1.2 * t, -14)});
   }
-  scene.paths.push_back(std::move(path));
+  add_camera_path(scene, "main", duration / (keys - 1), waypoints, 55);
 }
 
 }  // namespace
@@ -197,7 +191,7 @@ BuiltinScene street() {
     add_camera(scene, "main", {1.6, 1.7, 68}, {1.9, 2.6, 54}, 55);
     add_camera(scene, "overview", {30, 30, 64}, {-2, 2, 16}, 50);
     add_camera(scene, "pavement", {6.4, 1.65, 30}, {2.2, 2.4, 10}, 58);
-    add_camera_path(scene);
+    add_drive(scene);
     add_sun(scene, 160, 44);
     return scene;
   };

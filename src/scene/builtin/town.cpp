@@ -280,6 +280,15 @@ BuiltinScene town() {
     add_camera(scene, "main", {150, 62, 172}, {-8, 4, -6}, 45);
     add_camera(scene, "market", {19.5, 2.4, 14.5}, {-4, 5.5, -6}, 58);
     add_camera(scene, "street", {48.5, 1.9, 14}, {44, 3.2, 32}, 58);
+    // From the hills over the roofs into a street.
+    add_camera_path(scene, "main", 2,
+                    {{{150, 62, 172}, {-8, 4, -6}},
+                     {{112, 44, 128}, {0, 4, 0}},
+                     {{76, 24, 84}, {30, 4, 30}},
+                     {{52, 9, 52}, {45, 3.5, 24}},
+                     {{46, 3, 36}, {46.5, 3, 10}},
+                     {{47.5, 1.9, 24}, {47.5, 3, 0}}},
+                    55);
     add_sun(scene, 140, 36);
     return scene;
   };
