@@ -23,21 +23,32 @@ TexelRange range_of_crossings(std::span<const std::pair<int32_t, Crossing>> cros
     int32_t& first = crossing == Crossing::open ? first_open : first_closed;
     first = std::min(first, height);
   }
-  int32_t exit = range.first;
-  if (first_closed < first_open) {
-    for (exit = first_closed; exit != kNoHit;) {
+  const auto leave_bodies = [&](int32_t from) {
+    while (from != kNoHit) {
       int count = 0;
-      int32_t next = kNoHit;
+      int32_t further = kNoHit;
       for (const auto& [height, crossing] : crossings) {
         if (crossing == Crossing::open) continue;
-        if (height <= exit) count += int(crossing);
-        if (height > exit) next = std::min(next, height);
+        if (height <= from) count += int(crossing);
+        if (height > from) further = std::min(further, height);
       }
       if (count == 0) break;
-      exit = next;
+      from = further;
     }
+    return from;
+  };
+  range.limit = first_closed < first_open ? leave_bodies(first_closed) : range.first;
+  if (static_receivers) range.limit = std::max(range.limit, second);
+  int32_t next_open = kNoHit, next_closed = kNoHit;
+  for (const auto& [height, crossing] : crossings) {
+    if (height <= range.limit) continue;
+    if (static_receivers || crossing == Crossing::open)
+      next_open = std::min(next_open, height);
+    else if (crossing == Crossing::enters)
+      next_closed = std::min(next_closed, height);
   }
-  range.limit = static_receivers ? std::max(exit, second) : exit;
+  range.next = static_receivers ? range.limit : std::min(next_open, next_closed);
+  range.next_limit = next_closed < next_open ? leave_bodies(next_closed) : next_open;
   return range;
 }
 
@@ -77,13 +88,18 @@ std::vector<TexelRange> DirectDepths::ranges(int32_t x, int32_t y, int32_t width
   std::vector<TexelRange> result;
   for (int32_t j = 0; j < height; ++j)
     for (int32_t i = 0; i < width; ++i) {
-      int32_t limit = kNoHit;
+      const TexelRange& own = raw[size_t(j + reach) * size_t(wide) + size_t(i + reach)];
+      int32_t least = kNoHit, raised = kNoHit;
       for (int32_t dy = 0; dy <= 2 * reach; ++dy)
-        for (int32_t dx = 0; dx <= 2 * reach; ++dx)
-          limit = std::min(limit, raw[size_t(j + dy) * size_t(wide) + size_t(i + dx)].limit);
-      const int32_t first = std::clamp(raw[size_t(j + reach) * size_t(wide) + size_t(i + reach)].first, 0, depth);
+        for (int32_t dx = 0; dx <= 2 * reach; ++dx) {
+          const TexelRange& other = raw[size_t(j + dy) * size_t(wide) + size_t(i + dx)];
+          least = std::min(least, other.limit);
+          raised = std::min(raised, other.next <= own.first ? other.next_limit : other.limit);
+        }
+      int32_t limit = std::max(least, std::min(raised, own.limit));
+      const int32_t first = std::clamp(own.first, 0, depth);
       if (limit != kNoHit) limit -= options_.margin;
-      result.push_back({first, std::clamp(limit, first, depth)});
+      result.push_back({.first = first, .limit = std::clamp(limit, first, depth)});
     }
   return result;
 }

@@ -29,7 +29,7 @@ void expect_agreement(const Scene& scene, const Light& light, const BakeOptions&
     for (int32_t x0 = 0; x0 < size; x0 += 64) {
       const std::vector<TexelRange> ranges = direct.ranges(x0, y0, 64, 64);
       for (int32_t t = 0; t < 64 * 64; ++t) {
-        const auto [first, limit] = ranges[size_t(t)];
+        const int32_t first = ranges[size_t(t)].first, limit = ranges[size_t(t)].limit;
         const auto check = [&](int32_t z, bool visible) {
           wrong += baked.shadow.visible({x0 + t % 64, y0 + t / 64, z}) != visible;
         };

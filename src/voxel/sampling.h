@@ -73,6 +73,12 @@ inline constexpr int32_t kNoHit = INT32_MAX;
 /// What decides a texel's voxels: z < first is visible; from limit on shadowed; undefined between.
 struct TexelRange {
   int32_t first = kNoHit, limit = kNoHit;
+  /// What guards filters: a receiver in shadow over this texel, moved along its normal, is at `limit` less the margin
+  /// or deeper, and either nearer than `next`, where the next body (static: surface) begins, or at `next_limit`, where
+  /// that one ends, less the margin or deeper. A neighbour whose own first surface is at `next` or behind is not inside
+  /// its body at any depth before `next`: only `next_limit` bounds its undefined region. So where a silhouette's
+  /// background goes on in its shadow, the background keeps its freedom.
+  int32_t next = kNoHit, next_limit = kNoHit;
 };
 
 /// Margin below `limit` under filters: m = 0.36 kmax max(tx, ty) + tz, in voxels of z, rounded up (formulas.md). 0.36

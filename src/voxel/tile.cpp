@@ -162,11 +162,16 @@ void TileRasterizer::rasterize(std::span<const QuadTriangle* const> triangles, s
   }
   views_.clear();
   for (size_t l = 0; l < used_layers_; ++l) views_.push_back({layers_[l].heights.data(), int32_t(layers_[l].crossing)});
-  resolve_layers(views_, side(), rules_.static_receivers, rest_from, first_.data(), limit_.data());
-  if (rules_.reach > 0) window_minimum(limit_.data(), side(), rules_.reach);
+  const RangeRows rows{first_.data(), limit_.data(), next_.data(), next_limit_.data()};
+  resolve_layers(views_, side(), rules_.static_receivers, rest_from, rows);
+  std::copy_n(limit_.begin(), side() * kTileStride, guard_.begin());
+  if (rules_.reach > 0) {
+    window_minimum(guard_.data(), side(), rules_.reach);
+    raise_pinned(rows, rules_.reach, rules_.margin, guard_.data());
+  }
   for (uint32_t j = 0; j < kTileSide; ++j) {
     const int32_t* first = &first_[(j + rules_.reach) * kTileStride + rules_.reach];
-    const int32_t* limit = &limit_[j * kTileStride];
+    const int32_t* limit = &guard_[j * kTileStride];
     for (uint32_t i = 0; i < kTileSide; ++i) {
       const int32_t from = std::clamp(first[i], 0, rules_.depth);
       ranges.first[j * kTileSide + i] = from;

@@ -60,7 +60,7 @@ class TileRasterizer {
   std::vector<LayerView> views_;
   TileRows rows_{};  ///< of the triangle being drawn, with its range of rows
   uint32_t first_row_ = 0, end_row_ = 0;
-  alignas(64) TileHeights first_, limit_;
+  alignas(64) TileHeights first_, limit_, next_, next_limit_, guard_;
 };
 
 }  // namespace shadewright::voxel

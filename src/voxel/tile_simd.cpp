@@ -53,11 +53,31 @@ void FillHeights(const HeightPlane& plane, const TileRows& rows, uint32_t first_
   }
 }
 
+/// Where the entry counter of the closed layers is zero, at or behind `from`, lane by lane; only where `asked`.
+template <class Tag, class Depths, class Asked>
+Depths LeaveBodies(Tag d, std::span<const LayerView> layers, size_t i, Depths from, Asked asked) {
+  const auto none = hn::Set(d, kNoHit), zero = hn::Zero(d);
+  for (;;) {
+    auto inside = zero;
+    auto further = none;
+    for (const LayerView& layer : layers) {
+      if (layer.count == 0) continue;
+      const auto height = hn::Load(d, layer.heights + i);
+      const auto beyond = hn::Gt(height, from);
+      inside = hn::Add(inside, hn::IfThenZeroElse(beyond, hn::Set(d, layer.count)));
+      further = hn::Min(further, hn::IfThenElse(beyond, height, none));
+    }
+    const auto active = hn::And(hn::And(asked, hn::Ne(inside, zero)), hn::Ne(from, none));
+    if (hn::AllFalse(d, active)) return from;
+    from = hn::IfThenElse(active, further, from);
+  }
+}
+
 void ResolveLayers(std::span<const LayerView> layers, uint32_t row_count, bool static_receivers, int32_t rest_from,
-                   int32_t* first, int32_t* limit) {
+                   const RangeRows& ranges) {
   const hn::CappedTag<int32_t, 16> d;
   const size_t lanes = hn::Lanes(d), count = size_t(row_count) * kTileStride;
-  const auto none = hn::Set(d, kNoHit), zero = hn::Zero(d);
+  const auto none = hn::Set(d, kNoHit), rest = hn::Set(d, rest_from);
   for (size_t i = 0; i < count; i += lanes) {
     auto nearest = none, second = none, first_open = none, first_closed = none;
     for (const LayerView& layer : layers) {
@@ -69,29 +89,56 @@ void ResolveLayers(std::span<const LayerView> layers, uint32_t row_count, bool s
       else
         first_closed = hn::Min(first_closed, height);
     }
-    auto exit = nearest;
     const auto entered = hn::Lt(first_closed, first_open);
-    if (!hn::AllFalse(d, entered)) {
-      auto depth = first_closed;
-      for (;;) {
-        auto inside = zero;
-        auto next = none;
-        for (const LayerView& layer : layers) {
-          if (layer.count == 0) continue;
-          const auto height = hn::Load(d, layer.heights + i);
-          const auto beyond = hn::Gt(height, depth);
-          inside = hn::Add(inside, hn::IfThenZeroElse(beyond, hn::Set(d, layer.count)));
-          next = hn::Min(next, hn::IfThenElse(beyond, height, none));
-        }
-        const auto active = hn::And(hn::And(entered, hn::Ne(inside, zero)), hn::Ne(depth, none));
-        if (hn::AllFalse(d, active)) break;
-        depth = hn::IfThenElse(active, next, depth);
-      }
-      exit = hn::IfThenElse(entered, depth, exit);
+    auto limit = nearest;
+    if (!hn::AllFalse(d, entered))
+      limit = hn::IfThenElse(entered, LeaveBodies(d, layers, i, first_closed, entered), limit);
+    if (static_receivers) limit = hn::Max(limit, second);
+    auto next_open = none, next_closed = none;
+    for (const LayerView& layer : layers) {
+      const auto height = hn::Load(d, layer.heights + i);
+      const auto behind = hn::IfThenElse(hn::Gt(height, limit), height, none);
+      if (layer.count == 0 || static_receivers)
+        next_open = hn::Min(next_open, behind);
+      else if (layer.count > 0)
+        next_closed = hn::Min(next_closed, behind);
     }
-    hn::Store(nearest, d, first + i);
-    hn::Store(hn::Min(static_receivers ? hn::Max(exit, second) : exit, hn::Set(d, rest_from)), d, limit + i);
+    auto next = hn::Min(next_open, next_closed), next_limit = next;
+    if (static_receivers) {
+      next = limit;
+    } else {
+      const auto enters = hn::Lt(next_closed, next_open);
+      if (!hn::AllFalse(d, enters))
+        next_limit = hn::IfThenElse(enters, LeaveBodies(d, layers, i, next_closed, enters), next_open);
+    }
+    hn::Store(nearest, d, ranges.first + i);
+    hn::Store(hn::Min(limit, rest), d, ranges.limit + i);
+    hn::Store(hn::IfThenElse(hn::Lt(next, rest), next, none), d, ranges.next + i);
+    hn::Store(hn::Min(next_limit, rest), d, ranges.next_limit + i);
   }
+}
+
+void RaisePinned(const RangeRows& ranges, uint32_t reach, int32_t margin, int32_t* least) {
+  const hn::CappedTag<int32_t, 8> d;
+  const size_t lanes = hn::Lanes(d), width = 2 * reach + 1;
+  const auto slack = hn::Set(d, margin);
+  for (size_t j = 0; j < kSide; ++j)
+    for (size_t i = 0; i < kSide; i += lanes) {
+      const auto first = hn::LoadU(d, ranges.first + (j + reach) * kTileStride + i + reach);
+      const auto bound = hn::Load(d, least + j * kTileStride + i);
+      // first + margin would overflow where there is no surface.
+      if (hn::AllFalse(d, hn::Gt(first, hn::Sub(bound, slack)))) continue;
+      auto raised = hn::Set(d, kNoHit);
+      for (size_t y = 0; y < width; ++y)
+        for (size_t x = 0; x < width; ++x) {
+          const size_t at = (j + y) * kTileStride + i + x;
+          const auto past = hn::Not(hn::Gt(hn::LoadU(d, ranges.next + at), first));
+          raised = hn::Min(raised,
+                           hn::IfThenElse(past, hn::LoadU(d, ranges.next_limit + at), hn::LoadU(d, ranges.limit + at)));
+        }
+      const auto own = hn::LoadU(d, ranges.limit + (j + reach) * kTileStride + i + reach);
+      hn::Store(hn::Max(bound, hn::Min(raised, own)), d, least + j * kTileStride + i);
+    }
 }
 
 void WindowMinimum(int32_t* values, uint32_t row_count, uint32_t reach) {
@@ -173,6 +220,7 @@ namespace shadewright::voxel {
 HWY_EXPORT(FillHeights);
 HWY_EXPORT(ResolveLayers);
 HWY_EXPORT(WindowMinimum);
+HWY_EXPORT(RaisePinned);
 HWY_EXPORT(BlockRanges);
 HWY_EXPORT(StabBlock);
 
@@ -182,8 +230,12 @@ void fill_heights(const HeightPlane& plane, const TileRows& rows, uint32_t first
 }
 
 void resolve_layers(std::span<const LayerView> layers, uint32_t row_count, bool static_receivers, int32_t rest_from,
-                    int32_t* first, int32_t* limit) {
-  HWY_DYNAMIC_DISPATCH(ResolveLayers)(layers, row_count, static_receivers, rest_from, first, limit);
+                    const RangeRows& ranges) {
+  HWY_DYNAMIC_DISPATCH(ResolveLayers)(layers, row_count, static_receivers, rest_from, ranges);
+}
+
+void raise_pinned(const RangeRows& ranges, uint32_t reach, int32_t margin, int32_t* least) {
+  HWY_DYNAMIC_DISPATCH(RaisePinned)(ranges, reach, margin, least);
 }
 
 void window_minimum(int32_t* values, uint32_t row_count, uint32_t reach) {

@@ -30,14 +30,24 @@ struct LayerView {
   int32_t count;  ///< what a crossing adds to the entry counter: 1, -1, or 0 for open surfaces
 };
 
-/// First crossing, and where the undefined region ends (at `rest_from` at the latest), of all texels of `row_count`
-/// rows: see `range_of_crossings`.
+/// The members of `TexelRange`, each kTileStride rows of a tile.
+struct RangeRows {
+  int32_t *first, *limit, *next, *next_limit;
+};
+
+/// What `range_of_crossings` finds, of all texels of `row_count` rows, when nothing is known of crossings from
+/// `rest_from` on: no range ends later, and no next body begins there.
 void resolve_layers(std::span<const LayerView> layers, uint32_t row_count, bool static_receivers, int32_t rest_from,
-                    int32_t* first, int32_t* limit);
+                    const RangeRows& ranges);
 
 /// Minimum over windows of (2 reach + 1)²: result (i, j) is of the window with its lowest corner at (i, j). Needs, and
 /// spoils, `values`; rows beyond row_count - 2 reach and columns beyond kTileStride - 2 reach are unspecified.
 void window_minimum(int32_t* values, uint32_t row_count, uint32_t reach);
+
+/// The guard of `TexelRange` for the texels to which the minimum of all limits leaves no freedom (it is the safe bound,
+/// and the full rule takes a look at every neighbour). `least` holds that minimum for the tile's texels, rows
+/// kTileStride long, and is raised.
+void raise_pinned(const RangeRows& ranges, uint32_t reach, int32_t margin, int32_t* least);
 
 /// What all texels of a square share: visible before `limit_min`, shadowed from `first_max` on.
 struct BlockRange {
