@@ -33,6 +33,8 @@ refuses 2 'no such file' render missing.glb -t sm -o x.png "${small[@]}"
 refuses 2 'builtin' render builtin:nowhere -t sm -o x.png "${small[@]}"
 refuses 2 'size' render builtin:spheres -t sm -o x.png --size 12 --quiet
 refuses 2 'size' render builtin:spheres -t sm -o x.png --size 0x10 --quiet
+refuses 2 'points' render builtin:spheres -t sm -o x.png --points many "${small[@]}"
+refuses 2 'points' render builtin:spheres -t sm -o x.png --points 0 "${small[@]}"
 refuses 2 '.png' render builtin:spheres -t sm -o x.jpg "${small[@]}"
 refuses 2 'camera' render builtin:spheres -t sm -o x.png --camera nobody "${small[@]}"
 refuses 2 'light' render builtin:spheres -t sm -o x.png --light nobody "${small[@]}"
@@ -60,6 +62,8 @@ cmp -s mask.png builtin-mask.png || fail "a scene written out and loaded back ha
 works render builtin:spheres -t pcf -o image.exr "${small[@]}" && [ -s image.exr ] || fail "no EXR"
 works render builtin:spheres -t ray -o ray.png "${small[@]}"
 works render builtin:spheres -t sm@256 -o - "${small[@]}" && head -c 4 stdout | grep -q PNG || fail "no PNG on stdout"
+works render builtin:spheres -t sm@256 -o points.png --points auto --size 160x90 && grep -q 'drawn as' stderr ||
+  fail "points are drawn without a word"
 works render --help-spec
 works render builtin:spheres -t sm -o x.png --debug list && grep -q shadow-map stdout || fail "--debug list names no shadow-map"
 works compare builtin:spheres -t sm@256..512 -t pcf@256 -o out --size 160x90 --repeat 1 --validation

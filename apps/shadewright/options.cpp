@@ -7,9 +7,11 @@
 #include <cmath>
 #include <cstdio>
 #include <optional>
+#include <span>
 
 #include "shadewright/error.h"
 #include "shadewright/files.h"
+#include "shadewright/scene/points.h"
 
 namespace shadewright::app {
 
@@ -141,11 +143,29 @@ void SceneFlags::add_to(CLI::App& verb) {
       ->check(CLI::Range(0, 1024));
   verb.add_option("--path", path, "A camera path of the scene (not built yet)");
   verb.add_option("--frames", frames, "Frames along the path (not built yet)");
+  verb.add_option("--points", points,
+                  "Draw far instances as points: off, auto (a sample at least every pixel), or the pixels between "
+                  "samples; image, maps and truth show the same points")
+      ->capture_default_str();
   verb.add_option("--device", device, "Device by index or part of its name (see shadewright devices)");
   verb.add_flag("--quiet", quiet, "No progress, no remarks");
   verb.add_flag("--verbose", verbose, "Say more");
   verb.add_flag("--validation", validation, "Run with the Khronos validation layer; any message is an error");
 }
+
+namespace {
+
+/// The pixels between samples that --points asks for; none = triangles only.
+std::optional<double> point_spacing(const std::string& text) {
+  if (text == "off") return std::nullopt;
+  if (text == "auto") return PointOptions{}.spacing;
+  const double spacing = parse_numbers<1>("--points", text, "off, auto or a number of pixels")[0];
+  if (spacing <= 0 || spacing > 1000)
+    throw InputError("--points " + text, "the samples' distance is not from 0 to 1000 pixels", "write --points auto");
+  return spacing;
+}
+
+}  // namespace
 
 View load_view(const SceneFlags& flags, ProgressBar& progress) {
   if (!flags.path.empty() || flags.frames != 0)
@@ -153,12 +173,20 @@ View load_view(const SceneFlags& flags, ProgressBar& progress) {
                      "leave --path and --frames out");
   View view;
   parse_size(flags.size, view.width, view.height);
+  const std::optional<double> spacing = point_spacing(flags.points);
   LoadedScene loaded = load_scene(flags.scene, progress.callback());
   progress.clear();
   view.scene = std::move(loaded.scene);
   view.notes = std::move(loaded.warnings);
   view.camera = choose_camera(flags, view.scene, view.notes);
   view.light = choose_light(flags.light, view.scene, view.notes);
+  if (spacing) {
+    const PointView seen = point_view(view.camera, view.height);
+    PointSummary summary;
+    view.scene = with_points(view.scene, std::span(&seen, 1), {.spacing = *spacing}, &summary, progress.callback());
+    progress.clear();
+    view.notes.push_back(describe(summary));
+  }
   if (!flags.quiet)
     for (const std::string& note : view.notes) fmt::print(stderr, "{}\n", note);
   if (flags.verbose)

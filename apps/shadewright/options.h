@@ -28,6 +28,7 @@ struct SceneFlags {
   uint32_t reference_samples = 16;
   std::string path;
   uint32_t frames = 0;
+  std::string points = "off";
   std::string device;
   bool quiet = false, verbose = false, validation = false;
 

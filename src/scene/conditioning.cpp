@@ -44,7 +44,8 @@ bool is_finite(const glm::vec3& p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
-/// True when the triangle is finite and its float normal, computed free of overflow and underflow, is not zero.
+}  // namespace
+
 bool has_area(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
   if (!is_finite(a) || !is_finite(b) || !is_finite(c)) return false;
   const glm::dvec3 ab = glm::dvec3(b) - glm::dvec3(a), ac = glm::dvec3(c) - glm::dvec3(a);
@@ -55,8 +56,6 @@ bool has_area(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
   const double scale = std::exp2(-std::ilogb(largest));
   return glm::cross(glm::vec3(ab * scale), glm::vec3(ac * scale)) != glm::vec3(0.0f);
 }
-
-}  // namespace
 
 void drop_unused_vertices(Mesh& mesh) {
   constexpr uint32_t unused = std::numeric_limits<uint32_t>::max();

@@ -7,6 +7,7 @@
 #include "gpu/device_for_test.h"
 #include "shadewright/geometry/projection.h"
 #include "shadewright/scene/builtin.h"
+#include "shadewright/scene/points.h"
 
 namespace shadewright::compare {
 namespace {
@@ -50,6 +51,25 @@ TEST_F(StudyTest, PointLightsHaveSixFaces) {
   EXPECT_LE(*outcome.result.error.oracle_fraction, 5e-4);
   EXPECT_GE(outcome.result.error.match, 0.98);
   EXPECT_GE(run(study, "pcf@2048").result.error.match, 0.98);
+}
+
+/// Far instances as points: image, map and truth show the same splats, and nearly the same shadows as triangles.
+TEST_F(StudyTest, PointsAreTheSameToTheMapAndTheTruth) {
+  for (const char* name : {"spheres", "trees"}) {
+    SCOPED_TRACE(name);
+    const Scene scene = make_builtin(name);
+    const Camera& camera = scene.cameras.front();
+    const PointView view = point_view(camera, small().height);
+    PointSummary summary;
+    const Scene splats = with_points(scene, std::span(&view, 1), {.spacing = 4, .most_splats = 4}, &summary);
+    ASSERT_GT(summary.instances, 10u);
+    Study study(device(), splats, camera, scene.lights.front(), small());
+    const ErrorFigures error = run(study, "sm@2048").result.error;
+    EXPECT_LE(*error.oracle_fraction, 5e-4);
+    EXPECT_LE(static_cast<double>(error.interior_false_shadow), 1e-4 * static_cast<double>(error.compared));
+    EXPECT_NEAR(study.report().reference_lit_fraction,
+                Study(device(), scene, camera, scene.lights.front(), small()).report().reference_lit_fraction, 0.03);
+  }
 }
 
 TEST_F(StudyTest, EveryFitHoldsWhatIsSeen) {
