@@ -13,8 +13,7 @@ namespace shadewright::shadow {
 
 namespace {
 
-constexpr auto lookup_stages =
-    vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment | vk::ShaderStageFlagBits::eCompute;
+constexpr auto lookup_stages = vk::ShaderStageFlagBits::eAllGraphics | vk::ShaderStageFlagBits::eCompute;
 
 /// Clip space to map space: u, v in [0, 1].
 glm::dmat4 map_from_clip() {
@@ -22,6 +21,20 @@ glm::dmat4 map_from_clip() {
   m[0][0] = m[1][1] = 0.5;
   m[3][0] = m[3][1] = 0.5;
   return m;
+}
+
+/// MapViewData::slope_unit, measured in the middle of the view.
+float slope_unit(const glm::dmat4& world_from_map, const MapExtent& extent) {
+  const auto world = [&](const glm::dvec3& map) {
+    const glm::dvec4 q = world_from_map * glm::dvec4(map, 1.0);
+    return glm::dvec3(q) / q.w;
+  };
+  const glm::dvec3 middle(0.5), texel(1.0 / extent.width, 1.0 / extent.height, 1e-4);
+  const auto step = [&](const glm::dvec3& by) { return glm::distance(world(middle + by), world(middle)); };
+  const double width = std::sqrt(step({texel.x, 0, 0}) * step({0, texel.y, 0}));
+  const double depth = step({0, 0, texel.z}) / texel.z;
+  const double w = std::abs((world_from_map * glm::dvec4(middle, 1.0)).w);
+  return static_cast<float>(width / (depth * w));
 }
 
 uint32_t light_kind(LightKind kind) {
@@ -119,9 +132,12 @@ void MapTechnique::write_constants(const Frame& frame) {
   cameras_[i].mapped<shared::CameraData>()[0] = render::camera_data(frame.camera);
   const auto views = parameterization_->views();
   const auto mapped = views_[i].mapped<shared::MapViewData>();
+  const MapExtent extent = parameterization_->map_extent(frame.light.kind);
   for (size_t v = 0; v < views.size(); ++v) {
     const glm::dmat4 map_from_world = map_from_clip() * views[v].light_from_world;
-    mapped[v] = {glm::mat4(map_from_world), glm::mat4(glm::inverse(map_from_world)), views[v].drawn ? 1u : 0u};
+    const glm::dmat4 world_from_map = glm::inverse(map_from_world);
+    mapped[v] = {glm::mat4(map_from_world), glm::mat4(world_from_map), views[v].drawn ? 1u : 0u,
+                 slope_unit(world_from_map, extent)};
   }
   shared::LookupData lookup{};
   lookup.light_position = glm::vec3(frame.light.position);
@@ -130,7 +146,6 @@ void MapTechnique::write_constants(const Frame& frame) {
   lookup.light_kind = light_kind(frame.light.kind);
   lookup.eye = glm::vec3(frame.camera.eye());
   lookup.bias_scale = static_cast<float>(spec_.number("bias"));
-  const MapExtent extent = parameterization_->map_extent(frame.light.kind);
   lookup.map_size = glm::vec2(extent.width, extent.height);
   if (spec_.takes("radius")) {
     lookup.pcf_radius = static_cast<float>(spec_.number("radius") + 0.5);

@@ -53,6 +53,11 @@ const std::vector<SpecKey>& all_keys() {
       number_key("bias", "map", 0, 100, "1", "scale of the automatic bias; 1 is right on every scene"),
       choice_key("fit", "uniform", {"view", "scene", "visible"},
                  "what receives: what the camera's frustum holds, all of the scene, or this frame's surface points"),
+      choice_key("slopes", "subpixel", {"wide", "power", "linear"},
+                 "how a texel codes slopes and depth: 11 bits a slope and depth within the texel, the paper's 8 bits "
+                 "by the fifth power, or 8 bits linear in the angle"),
+      choice_key("recovery", "subpixel", {"on", "off"},
+                 "off: receivers that neither their texel nor its neighbours decide are lit"),
       whole_key("radius", "pcf", 0, 7, "1", "the filter's box reaches this many texels to each side"),
       number_key("width", "pcf", 0, 1000, "0",
                  "the filter's whole width in metres, the same at every resolution; 0 = use radius"),

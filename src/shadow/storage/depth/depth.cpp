@@ -1,8 +1,7 @@
 #include "shadow/storage/depth/depth.h"
 
-#include <cstring>
-
 #include "shadow/lookup_shaders.h"
+#include "shadow/storage/depth_picture.h"
 
 namespace shadewright::shadow {
 
@@ -48,18 +47,7 @@ std::vector<gpu::Binding> DepthStorage::lookup_bindings() const {
 }
 
 Picture DepthStorage::debug_picture(std::string_view) {
-  const gpu::ImageDesc& desc = map_.desc();
-  std::vector<float> brightness;
-  for (uint32_t layer = 0; layer < desc.layers; ++layer) {
-    const auto bytes = gpu::read_back(device_, map_, sizeof(float), layer);
-    const size_t first = brightness.size();
-    brightness.resize(first + bytes.size() / sizeof(float));
-    std::memcpy(&brightness[first], bytes.data(), bytes.size());
-  }
-  gpu::submit_and_wait(
-      device_, [&](const auto& commands) { map_.transition(commands, vk::ImageLayout::eShaderReadOnlyOptimal); });
-  for (float& depth : brightness) depth = depth == 1.0f ? 0.0f : 1.0f - 0.9f * depth;
-  return render::to_picture(brightness, desc.width, desc.height * desc.layers);
+  return depth_picture(device_, map_);
 }
 
 std::vector<Allocation> DepthStorage::allocations() const {

@@ -1,0 +1,45 @@
+// What of a triangle lies in a texel: conservative coverage, and figure 9's consistent minimum depth, which is that of the triangle
+// clipped to the texel. The minimum over a convex polygon is at one of its corners: ends of the edges clipped to the texel, or the
+// texel's own lowest corner where that is in the triangle.
+#ifndef SHADEWRIGHT_SUBPIXEL_COVERAGE_GLSL
+#define SHADEWRIGHT_SUBPIXEL_COVERAGE_GLSL
+
+// Half a texel, and what the rounding of vertices to 1/256 texel may move them.
+const float half_texel = 0.5 + 1.0 / 256.0;
+
+// Minimum depth along the edge from a to b within the texel around the origin; infinity where it does not cross.
+float edge_minimum(vec3 a, vec3 b) {
+  vec2 d = b.xy - a.xy;
+  vec2 inverse = 1.0 / mix(d, vec2(1e-20), lessThan(abs(d), vec2(1e-20)));
+  vec2 t0 = (-half_texel - a.xy) * inverse, t1 = (half_texel - a.xy) * inverse;
+  vec2 enter = min(t0, t1), leave = max(t0, t1);
+  float from = max(max(enter.x, enter.y), 0.0), to = min(min(leave.x, leave.y), 1.0);
+  return from <= to ? min(mix(a.z, b.z, from), mix(a.z, b.z, to)) : 1.0 / 0.0;
+}
+
+// Twice the signed area.
+float cross2(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
+
+bool in_triangle(vec2 p, vec2 a, vec2 b, vec2 c) {
+  vec3 side = vec3(cross2(b - a, p - a), cross2(c - b, p - b), cross2(a - c, p - c));
+  return all(greaterThanEqual(side, vec3(0.0))) || all(lessThanEqual(side, vec3(0.0)));
+}
+
+// The triangle's plane: depth at the origin, and its gradient. A triangle seen edge-on has none; 0 then.
+vec3 depth_plane(vec3 a, vec3 b, vec3 c) {
+  vec3 u = b - a, v = c - a;
+  float area = cross2(u.xy, v.xy);
+  if (abs(area) < 1e-12) return vec3(0.0, 0.0, min(a.z, min(b.z, c.z)));
+  vec2 gradient = vec2(u.z * v.y - v.z * u.y, v.z * u.x - u.z * v.x) / area;
+  return vec3(gradient, a.z - dot(gradient, a.xy));
+}
+
+// Minimum depth of the triangle within the texel around the origin; infinity where it does not touch it.
+float consistent_minimum(vec3 a, vec3 b, vec3 c, vec3 plane) {
+  float minimum = min(edge_minimum(a, b), min(edge_minimum(b, c), edge_minimum(c, a)));
+  vec2 corner = -half_texel * vec2(plane.x < 0.0 ? -1.0 : 1.0, plane.y < 0.0 ? -1.0 : 1.0);
+  if (in_triangle(corner, a.xy, b.xy, c.xy)) minimum = min(minimum, plane.z + dot(plane.xy, corner));
+  return max(minimum, min(a.z, min(b.z, c.z)));
+}
+
+#endif

@@ -1,0 +1,100 @@
+#include "shadow/storage/subpixel/subpixel.h"
+
+#include <memory>
+
+#include "shadewright/error.h"
+#include "shadow/lookup_shaders.h"
+#include "shadow/storage/depth_picture.h"
+#include "shadow/storage/subpixel/slope_table.h"
+#include "shadow/storage/subpixel/tangents.h"
+
+namespace shadewright::shadow {
+
+namespace {
+
+gpu::Buffer make_tables(const gpu::Device& device, const Spec& spec) {
+  const auto tables = std::make_unique<shared::SubpixelTables>();
+  tables->coding = slope_coding(spec.choice("slopes"));
+  tables->recovery = spec.choice("recovery") == "on" ? 1 : 0;
+  make_slope_table(tables->coding, tables->slopes);
+  for (uint32_t pattern = 0; pattern < 512; ++pattern) {
+    const TangentPattern found = tangent_pattern(pattern);
+    using Kind = TangentPattern::Kind;
+    tables->tangent_counts[pattern] = found.kind == Kind::lit        ? shared::tangents_lit
+                                      : found.kind == Kind::shadowed ? shared::tangents_shadowed
+                                                                     : static_cast<uint32_t>(found.normals.size());
+    for (size_t i = 0; i < found.normals.size(); ++i) tables->tangents[4 * pattern + i] = glm::vec2(found.normals[i]);
+  }
+  return gpu::make_buffer<shared::SubpixelTables>(device, "sub-pixel tables", std::span(tables.get(), 1));
+}
+
+}  // namespace
+
+SubpixelStorage::SubpixelStorage(const gpu::Device& device, const StorageDesc& desc)
+    : device_(device),
+      tables_(make_tables(device, desc.spec)),
+      sampler_(gpu::make_sampler(device, vk::Filter::eNearest)),
+      draws_(desc.extent.layers, desc.frames_in_flight) {
+  using Usage = vk::ImageUsageFlagBits;
+  const MapExtent& extent = desc.extent;
+  triangles_ = gpu::Image(device, {"sub-pixel map", vk::Format::eR32G32B32A32Uint, extent.width, extent.height,
+                                   extent.layers, Usage::eColorAttachment | Usage::eSampled, true});
+  minimum_ =
+      gpu::Image(device, {"sub-pixel minimum depth", vk::Format::eD32Sfloat, extent.width, extent.height, extent.layers,
+                          Usage::eDepthStencilAttachment | Usage::eSampled | Usage::eTransferSrc, true});
+  gpu::GraphicsDesc pipeline = casters_shaders(desc.spec);
+  CasterDraws::describe(pipeline, desc.lookup_layout);
+  pipeline.colors = {triangles_.desc().format};
+  pass_ = gpu::GraphicsPass(device, pipeline);
+}
+
+void SubpixelStorage::prepare(const Frame& frame, uint32_t slot, std::span<const MapView> views) {
+  if (frame.draw_casters)
+    throw InputError("storage 'subpixel'", "it draws triangles by a pipeline of its own, not by a callback",
+                     "put the casters into the scene, or choose depth storage");
+  draws_.prepare(frame, slot, views);
+}
+
+void SubpixelStorage::record(const Frame& frame, uint32_t slot, std::span<const MapView> views,
+                             vk::DescriptorSet lookup_set, gpu::Recorder& recorder) {
+  draws_.cull(frame, slot, recorder);
+  recorder.stage("shadow map", [&](const vk::raii::CommandBuffer& commands) {
+    minimum_.transition(commands, vk::ImageLayout::eDepthAttachmentOptimal, true);
+    triangles_.transition(commands, vk::ImageLayout::eColorAttachmentOptimal, true);
+    for (uint32_t index = 0; index < views.size(); ++index) {
+      const MapView& view = views[index];
+      if (!view.drawn) continue;
+      // A texel whose minimum is 1 is empty, whatever its triangle.
+      const vk::RenderingAttachmentInfo depth(minimum_.layer_view(view.layer), vk::ImageLayout::eDepthAttachmentOptimal,
+                                              {}, {}, {}, vk::AttachmentLoadOp::eClear, vk::AttachmentStoreOp::eStore,
+                                              vk::ClearDepthStencilValue(1.0f, 0));
+      const vk::RenderingAttachmentInfo triangles(triangles_.layer_view(view.layer),
+                                                  vk::ImageLayout::eColorAttachmentOptimal, {}, {}, {},
+                                                  vk::AttachmentLoadOp::eDontCare, vk::AttachmentStoreOp::eStore);
+      vk::RenderingInfo rendering({}, {{0, 0}, minimum_.extent()}, 1, 0, triangles);
+      rendering.pDepthAttachment = &depth;
+      commands.beginRendering(rendering);
+      draws_.draw(commands, frame, view, index, pass_, lookup_set);
+      commands.endRendering();
+    }
+    minimum_.transition(commands, vk::ImageLayout::eShaderReadOnlyOptimal);
+    triangles_.transition(commands, vk::ImageLayout::eShaderReadOnlyOptimal);
+  });
+}
+
+std::vector<gpu::Binding> SubpixelStorage::lookup_bindings() const {
+  return {gpu::Binding::sampled(triangles_.view(), *sampler_), gpu::Binding::sampled(minimum_.view(), *sampler_),
+          gpu::Binding::storage(tables_)};
+}
+
+Picture SubpixelStorage::debug_picture(std::string_view) {
+  return depth_picture(device_, minimum_);
+}
+
+std::vector<Allocation> SubpixelStorage::allocations() const {
+  std::vector<Allocation> result = draws_.allocations();
+  result.insert(result.begin(), {triangles_.allocation(), minimum_.allocation(), tables_.allocation()});
+  return result;
+}
+
+}  // namespace shadewright::shadow

@@ -1,0 +1,37 @@
+// subpixel: Sub-Pixel Shadow Mapping (Marvie, Sourimant, Gautron, I3D 2014). A texel keeps the closest triangle in 128
+// bits, conservatively rasterized; the look-up tests it and its neighbours, and rebuilds the border where neither holds
+// the receiver.
+//
+// Ours differs: figure 9's consistent minimum depth is found once a texel, when it is drawn, and is what the depth
+// attachment orders triangles by and the look-up reads (the paper's section 7 proposes it; the paper finds it at each
+// look-up). slopes=wide (default) codes slopes in 11 bits and the depth within the texel; power is the paper's coding,
+// linear figure 6's.
+#pragma once
+
+#include "shadow/storage/caster_draws.h"
+#include "shadow/storage/storage.h"
+
+namespace shadewright::shadow {
+
+class SubpixelStorage final : public Storage {
+ public:
+  SubpixelStorage(const gpu::Device& device, const StorageDesc& desc);
+
+  void prepare(const Frame& frame, uint32_t slot, std::span<const MapView> views) override;
+  void record(const Frame& frame, uint32_t slot, std::span<const MapView> views, vk::DescriptorSet lookup_set,
+              gpu::Recorder& recorder) override;
+  std::vector<gpu::Binding> lookup_bindings() const override;
+  std::vector<Allocation> allocations() const override;
+  /// The consistent minimum depths, near bright and empty black, layers one below the other.
+  Picture debug_picture(std::string_view name) override;
+
+ private:
+  const gpu::Device& device_;
+  gpu::Image triangles_, minimum_;
+  gpu::Buffer tables_;
+  vk::raii::Sampler sampler_;
+  gpu::GraphicsPass pass_;
+  CasterDraws draws_;
+};
+
+}  // namespace shadewright::shadow
