@@ -39,7 +39,8 @@ class OcclusionPacket {
     if (!any_) return;
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    // Embree 3.13's coherent traversal of many instances was seen to loop forever on a packet of scattered rays.
+    context.flags = scene.instanced() ? RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT : RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     rtcOccluded16(active_, scene.get(), &context, &rays_);
   }
 
@@ -48,7 +49,7 @@ class OcclusionPacket {
   bool free(uint32_t lane) const { return rays_.tfar[lane] >= 0; }
 
  private:
-  RTCRay16 rays_;
+  RTCRay16 rays_{};  // inactive lanes hold zeros, not whatever the stack held
   alignas(64) int active_[packet_size] = {};
   bool any_ = false;
 };
