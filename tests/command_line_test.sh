@@ -35,6 +35,7 @@ refuses 2 'size' render builtin:spheres -t sm -o x.png --size 12 --quiet
 refuses 2 'size' render builtin:spheres -t sm -o x.png --size 0x10 --quiet
 refuses 2 'points' render builtin:spheres -t sm -o x.png --points many "${small[@]}"
 refuses 2 'points' render builtin:spheres -t sm -o x.png --points 0 "${small[@]}"
+refuses 2 'points' compare builtin:spheres -t sm -o out --against-triangles "${small[@]}"
 refuses 2 '.png' render builtin:spheres -t sm -o x.jpg "${small[@]}"
 refuses 2 'camera' render builtin:spheres -t sm -o x.png --camera nobody "${small[@]}"
 refuses 2 'light' render builtin:spheres -t sm -o x.png --light nobody "${small[@]}"
@@ -64,6 +65,8 @@ works render builtin:spheres -t ray -o ray.png "${small[@]}"
 works render builtin:spheres -t sm@256 -o - "${small[@]}" && head -c 4 stdout | grep -q PNG || fail "no PNG on stdout"
 works render builtin:spheres -t sm@256 -o points.png --points auto --size 160x90 && grep -q 'drawn as' stderr ||
   fail "points are drawn without a word"
+works compare builtin:spheres -t sm@256 -o points --points auto --against-triangles --size 160x90 --repeat 0 &&
+  grep -q 'Against triangles' points/report.json || fail "what points cost is not told"
 works render --help-spec
 works render builtin:spheres -t sm -o x.png --debug list && grep -q shadow-map stdout || fail "--debug list names no shadow-map"
 works compare builtin:spheres -t sm@256..512 -t pcf@256 -o out --size 160x90 --repeat 1 --validation

@@ -6,8 +6,10 @@
 #include <iterator>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "options.h"
+#include "shadewright/compare/approximation.h"
 #include "shadewright/compare/study.h"
 #include "shadewright/error.h"
 #include "verbs.h"
@@ -20,6 +22,7 @@ struct Flags {
   SceneFlags scene;
   std::vector<std::string> techniques;
   std::string output, against;
+  bool against_triangles = false;
 };
 
 /// What is compared when nothing is asked for: everything there is, at its default.
@@ -48,7 +51,26 @@ void print_table(const compare::Report& report) {
                static_cast<double>(result.memory_bytes()) / 1e6);
 }
 
+/// One sentence on how the truth of the points in `study` differs from that of the triangles they stand for.
+std::string cost_of_points(const SceneFlags& flags, const gpu::Device& device, const compare::Study& study,
+                           ProgressBar& progress) {
+  SceneFlags as_triangles = flags;
+  as_triangles.points = "off";
+  as_triangles.quiet = true;
+  const View view = load_view(as_triangles, progress);
+  const compare::Study exact(device, view.scene, view.camera, view.light, {view.width, view.height, 0, 0, true},
+                             progress.callback());
+  const std::vector<float> shown(study.reference().begin(), study.reference().end());
+  const auto error = compare::approximation_error(exact.points(), exact.reference(), study.points(), shown, view.light);
+  return fmt::format(
+      "Against triangles, the points' truth has another shadow in {:.3f} % of {} pixels, {:.2f} % instead of {:.2f} % "
+      "are lit, and {} pixels show sky for surface or surface for sky.",
+      100 * error.fraction, error.compared, 100 * error.lit_shown, 100 * error.lit_exact, error.coverage);
+}
+
 void run(const Flags& flags) {
+  if (flags.against_triangles && flags.scene.points == "off")
+    throw InputError("--against-triangles", "the scene is drawn as triangles already", "give --points auto too");
   std::vector<shadow::Spec> specs;
   for (const std::string& text : flags.techniques.empty() ? default_techniques : flags.techniques)
     for (const std::string& one : shadow::expand_sweep(text)) specs.push_back(shadow::parse_spec(one));
@@ -61,6 +83,12 @@ void run(const Flags& flags) {
   const compare::StudyOptions options{view.width, view.height, flags.scene.repeat, flags.scene.reference_samples, true};
   compare::Study study(device, view.scene, view.camera, view.light, options, progress.callback());
   study.add_notes(view.notes);
+  if (flags.against_triangles) {
+    const std::string cost = cost_of_points(flags.scene, device, study, progress);
+    study.add_notes(std::span(&cost, 1));
+    progress.clear();
+    if (!flags.scene.quiet) fmt::print(stderr, "{}\n", cost);
+  }
   const compare::Report report =
       compare::compare_techniques(study, specs, flags.output, before ? &*before : nullptr, progress.callback());
   progress.clear();
@@ -83,6 +111,8 @@ void add_compare(CLI::App& app) {
   verb->add_option("-o,--output", flags->output, "Folder for index.html, report.json, report.csv and pictures")
       ->required();
   verb->add_option("--against", flags->against, "An earlier report.json: tell what changed");
+  verb->add_flag("--against-triangles", flags->against_triangles,
+                 "With --points: also tell how the points' truth differs from the triangles'");
   verb->footer("Example: shadewright compare builtin:sandbox -t sm@512..4096 -t pcf@2048 -o out/sandbox");
   verb->callback([flags] { run(*flags); });
 }

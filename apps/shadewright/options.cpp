@@ -144,8 +144,8 @@ void SceneFlags::add_to(CLI::App& verb) {
   verb.add_option("--path", path, "A camera path of the scene (not built yet)");
   verb.add_option("--frames", frames, "Frames along the path (not built yet)");
   verb.add_option("--points", points,
-                  "Draw far instances as points: off, auto (a sample at least every pixel), or the pixels between "
-                  "samples; image, maps and truth show the same points")
+                  "Draw far instances as points: off, auto (samples at most 2 pixels away), or that many pixels; "
+                  "image, maps and truth show the same points")
       ->capture_default_str();
   verb.add_option("--device", device, "Device by index or part of its name (see shadewright devices)");
   verb.add_flag("--quiet", quiet, "No progress, no remarks");
@@ -161,7 +161,8 @@ std::optional<double> point_spacing(const std::string& text) {
   if (text == "auto") return PointOptions{}.spacing;
   const double spacing = parse_numbers<1>("--points", text, "off, auto or a number of pixels")[0];
   if (spacing <= 0 || spacing > 1000)
-    throw InputError("--points " + text, "the samples' distance is not from 0 to 1000 pixels", "write --points auto");
+    throw InputError("--points " + text, "the distance of samples must be more than 0 and at most 1000 pixels",
+                     "write --points auto");
   return spacing;
 }
 

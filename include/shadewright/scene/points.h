@@ -59,7 +59,7 @@ struct PointView {
 PointView point_view(const Camera& camera, uint32_t image_height, double time = 0);
 
 struct PointOptions {
-  double spacing = 1.0;  ///< largest distance from the surface to the nearest sample, in pixels
+  double spacing = 2.0;  ///< largest distance from the surface to the nearest sample, in pixels; most is half as far
   /// Splats are used where they are at most this share of a mesh's triangles; above 1 draws as points what would be
   /// faster as triangles.
   double most_splats = 0.5;
