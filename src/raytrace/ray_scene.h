@@ -44,6 +44,9 @@ class RayScene {
 
   RayScene(const Scene& scene, double time, size_t flatten_limit = flatten_limit_default);
 
+  /// Moves the instances to `time` of `scene`, the one this was made of.
+  void update(const Scene& scene, double time);
+
   /// Geometry ids (flattened) or instance ids (instanced) are indices into Scene::instances, primitive ids into
   /// Mesh::triangles.
   RTCScene get() const { return scene_.get(); }

@@ -15,6 +15,10 @@ Tracer::~Tracer() = default;
 Tracer::Tracer(Tracer&&) noexcept = default;
 Tracer& Tracer::operator=(Tracer&&) noexcept = default;
 
+void Tracer::update(const Scene& scene, double time) {
+  impl_->scene.update(scene, time);
+}
+
 std::vector<uint8_t> Tracer::visible(std::span<const SurfacePoint> points, const glm::vec3& eye, const Light& light,
                                      uint32_t row_length) const {
   return shadewright::visible(impl_->scene, points, eye, light, row_length);

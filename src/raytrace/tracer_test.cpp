@@ -98,6 +98,37 @@ TEST(Tracer, SquareCastsItsShadowAlongTheSun) {
   }
 }
 
+// The confetti drifting and turning, every other square: what a tracer brought to a time answers against one made
+// there.
+TEST(Tracer, UpdatedEqualsOneMadeAtThatTime) {
+  Scene scene = confetti(5);
+  for (uint32_t m = 0; m < 3; ++m) {
+    Motion motion;
+    motion.times = {0, 1, 3};
+    motion.translations = {{0, 0, 0}, {1.5, 0.5 * m, -1}, {-2, 1, 0.5}};
+    motion.rotations = {{1, 0, 0, 0}, glm::angleAxis(0.4, glm::dvec3(0, 1, 0)), {1, 0, 0, 0}};
+    scene.motions.push_back(motion);
+  }
+  for (uint32_t i = 2; i < scene.instances.size(); i += 2) scene.instances[i].motion = i % 3;
+  const PixelGrid grid = grid_from({6, 7, 9}, {0, 1, 0});
+  const Light light = sun(30, 50);
+  for (const size_t flatten_limit : {RayScene::flatten_limit_default, size_t{0}}) {
+    RayScene updated(scene, 0, flatten_limit);
+    for (const double time : {0.7, 2.5, 0.7, 9.0}) {
+      updated.update(scene, time);
+      const RayScene made(scene, time, flatten_limit);
+      const auto hits = primary(updated, grid, 0.01), expected = primary(made, grid, 0.01);
+      for (size_t i = 0; i < hits.size(); ++i) {
+        ASSERT_EQ(hits[i].instance, expected[i].instance) << i;
+        ASSERT_EQ(hits[i].distance, expected[i].distance) << i;
+      }
+      const auto points = surface_points(grid, hits);
+      EXPECT_EQ(visible(updated, points, glm::vec3(grid.camera.eye), light, grid.width),
+                visible(made, points, glm::vec3(grid.camera.eye), light, grid.width));
+    }
+  }
+}
+
 TEST(Tracer, ShadowBoundaryIsExact) {
   const Tracer tracer(square_above_floor());
   // Towards the sun (1, 1, 0), so from the ray's origin the edge at x = 0 lies exactly as far away as the offset is

@@ -33,7 +33,7 @@ void main() {
   uint count = 0;
   for (uint i = 0; i < cluster.instance_count; ++i) {
     uint instance = cluster.first_instance + i;
-    if (outside(instances[instance], cluster, view)) continue;
+    if ((instances[instance].kind & views[view].kinds) == 0 || outside(instances[instance], cluster, view)) continue;
     mat3x4 rows = transpose(instances[instance].world_from_mesh);
     visible[base + count++] = VisibleInstance(vec4[3](rows[0], rows[1], rows[2]), instances[instance].albedo, cluster.first_index / 3);
   }

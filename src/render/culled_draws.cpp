@@ -11,10 +11,11 @@ namespace shadewright::render {
 
 namespace {
 
-shared::CullView cull_view(std::span<const Plane> planes) {
+shared::CullView cull_view(std::span<const Plane> planes, InstanceFilter filter) {
   if (planes.size() > shared::max_cull_planes) throw std::logic_error("a view has more planes than culling holds");
   shared::CullView view{};
   view.plane_count = static_cast<uint32_t>(planes.size());
+  view.kinds = static_cast<uint32_t>(filter);
   for (size_t i = 0; i < planes.size(); ++i) view.planes[i] = glm::vec4(glm::dvec4(planes[i].normal, planes[i].offset));
   return view;
 }
@@ -41,11 +42,13 @@ CulledDraws::CulledDraws(const SceneGpu& scene, uint32_t max_views, uint32_t fra
                          uint64_t{max_views} * scene.list_capacity() * sizeof(shared::VisibleInstance));
 }
 
-void CulledDraws::set_views(uint32_t slot, std::span<const std::vector<Plane>> views, std::span<const uint32_t> order) {
+void CulledDraws::set_views(uint32_t slot, std::span<const std::vector<Plane>> views, std::span<const uint32_t> order,
+                            InstanceFilter filter) {
   if (views.size() > max_views_) throw std::logic_error("more views than CulledDraws was made for");
   view_counts_[slot] = static_cast<uint32_t>(views.size());
   const auto mapped = views_[slot].mapped<shared::CullView>();
-  std::transform(views.begin(), views.end(), mapped.begin(), [](const auto& planes) { return cull_view(planes); });
+  std::transform(views.begin(), views.end(), mapped.begin(),
+                 [&](const auto& planes) { return cull_view(planes, filter); });
   std::copy(order.begin(), order.end(), order_[slot].mapped<uint32_t>().begin());
 }
 

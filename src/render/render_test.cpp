@@ -1,9 +1,12 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <random>
 
 #include "gpu/device_for_test.h"
 #include "render/shared.h"
+#include "shaders/camera_vert.h"
 #include "shadewright/error.h"
 #include "shadewright/geometry/projection.h"
 #include "shadewright/raytrace/tracer.h"
@@ -128,6 +131,103 @@ TEST_F(RenderTest, FrontToBackIsAPermutationByDistance) {
   auto order = scene_gpu.front_to_back(scene.cameras.front().eye);
   std::sort(order.begin(), order.end());
   for (uint32_t i = 0; i < order.size(); ++i) ASSERT_EQ(order[i], i);
+}
+
+/// Instances of the device as bytes.
+std::vector<std::byte> instance_bytes(const gpu::Device& device, const SceneGpu& scene) {
+  return gpu::read_back(device, scene.instances(), scene.instance_bounds().size() * sizeof(shared::InstanceData));
+}
+
+TEST_F(RenderTest, UpdatedSceneEqualsOneMadeAtThatTime) {
+  for (const char* name : {"street", "characters"}) {
+    const Scene scene = make_builtin(name);
+    SceneGpu updated(device(), scene, 0, 2);
+    EXPECT_EQ(updated.update_count(), 0u);
+    uint32_t slot = 0;
+    for (const double time : {1.7, 0.4, 100.0}) {
+      const std::vector<Box> before(updated.instance_bounds().begin(), updated.instance_bounds().end());
+      gpu::Recorder recorder(device());
+      updated.update(scene, time, slot, recorder);
+      recorder.finish();
+      slot = 1 - slot;
+      const SceneGpu made(device(), scene, time);
+      SCOPED_TRACE(std::string(name) + " at " + std::to_string(time));
+      EXPECT_EQ(instance_bytes(device(), updated), instance_bytes(device(), made));
+      EXPECT_EQ(updated.bounds().min, made.bounds().min);
+      EXPECT_EQ(updated.bounds().max, made.bounds().max);
+      EXPECT_EQ(updated.front_to_back({1, 2, 3}), made.front_to_back({1, 2, 3}));
+      ASSERT_FALSE(updated.moved().empty());
+      std::vector<uint8_t> moved(scene.instances.size(), 0);
+      for (const MovedInstance& m : updated.moved()) {
+        moved[m.instance] = 1;
+        EXPECT_TRUE(scene.instances[m.instance].motion.has_value());
+        EXPECT_EQ(m.before.min, before[m.instance].min);
+        EXPECT_EQ(m.before.max, before[m.instance].max);
+      }
+      for (size_t i = 0; i < scene.instances.size(); ++i) {
+        EXPECT_EQ(updated.instance_bounds()[i].min, made.instance_bounds()[i].min);
+        EXPECT_EQ(updated.instance_bounds()[i].max, made.instance_bounds()[i].max);
+        if (!moved[i]) EXPECT_EQ(updated.instance_bounds()[i].min, before[i].min);
+      }
+    }
+    EXPECT_EQ(updated.update_count(), 3u);
+    gpu::Recorder recorder(device());
+    updated.update(scene, 1000.0, 0, recorder);  // past the last key, as before: nothing moves
+    recorder.finish();
+    EXPECT_TRUE(updated.moved().empty());
+  }
+}
+
+TEST_F(RenderTest, FiltersDrawMovingOrUnmovingInstances) {
+  const Scene scene = make_builtin("street");
+  const SceneGpu scene_gpu(device(), scene);
+  CulledDraws draws(scene_gpu, 1, 1, "test");
+  gpu::Image depth(device(), {"depth", vk::Format::eD32Sfloat, width, height, 1,
+                              vk::ImageUsageFlagBits::eDepthStencilAttachment | vk::ImageUsageFlagBits::eTransferSrc});
+  gpu::Buffer camera(device(), "camera", sizeof(shared::CameraData), gpu::HostAccess::write);
+  const Camera& eye = scene.cameras.front();
+  const CameraView view = make_view(eye, near_distance(scene, eye), width, height);
+  camera.mapped<shared::CameraData>()[0] = camera_data(view);
+  gpu::GraphicsDesc desc;
+  desc.vertex = shaders::camera_vert;
+  desc.kinds = {gpu::BindingKind::storage_buffer, gpu::BindingKind::uniform_buffer};
+  CulledDraws::set_vertex_input(desc, SceneInputs::surface);
+  desc.depth_compare = vk::CompareOp::eGreater;
+  const gpu::GraphicsPass pass(device(), desc);
+  const auto depth_of = [&](InstanceFilter filter) {
+    const std::array planes{view.planes()};
+    draws.set_views(0, planes, {}, filter);
+    gpu::submit_and_wait(device(), [&](const vk::raii::CommandBuffer& commands) {
+      draws.cull(commands, 0);
+      gpu::memory_barrier(commands);
+      depth.transition(commands, vk::ImageLayout::eDepthAttachmentOptimal, true);
+      const vk::RenderingAttachmentInfo target(depth.view(), vk::ImageLayout::eDepthAttachmentOptimal, {}, {}, {},
+                                               vk::AttachmentLoadOp::eClear, vk::AttachmentStoreOp::eStore,
+                                               vk::ClearDepthStencilValue(0, 0));
+      const vk::Rect2D area({0, 0}, depth.extent());
+      commands.beginRendering({{}, area, 1, 0, {}, &target});
+      commands.setViewport(0, vk::Viewport(0, 0, width, height, 0, 1));
+      commands.setScissor(0, area);
+      const gpu::Binding bindings[] = {gpu::Binding::storage(scene_gpu.triangle_normals()),
+                                       gpu::Binding::uniform(camera)};
+      pass.bind(commands, bindings, {});
+      draws.draw(commands, 0);
+      commands.endRendering();
+    });
+    const auto bytes = gpu::read_back(device(), depth, sizeof(float));
+    std::vector<float> values(bytes.size() / sizeof(float));
+    std::memcpy(values.data(), bytes.data(), bytes.size());
+    return values;
+  };
+  const auto all = depth_of(InstanceFilter::all), moving = depth_of(InstanceFilter::moving),
+             unmoving = depth_of(InstanceFilter::unmoving);
+  size_t moving_in_front = 0;
+  for (size_t i = 0; i < all.size(); ++i) {
+    ASSERT_EQ(all[i], std::max(moving[i], unmoving[i])) << i;
+    moving_in_front += moving[i] > unmoving[i];
+  }
+  EXPECT_GT(moving_in_front, 100u);
+  EXPECT_LT(moving_in_front, all.size() / 2);
 }
 
 TEST(PictureTest, VisibilityIsGrey) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/gtc/packing.hpp>
 #include <numeric>
+#include <stdexcept>
 
 #include "render/shared.h"
 
@@ -52,6 +53,12 @@ glm::vec2 octahedral(const glm::vec3& n) {
   return (1.0f - glm::abs(glm::vec2(p.y, p.x))) * glm::vec2(p.x >= 0 ? 1.0f : -1.0f, p.y >= 0 ? 1.0f : -1.0f);
 }
 
+shared::InstanceData instance_data(const Instance& instance, const glm::dmat4& world_from_mesh) {
+  const InstanceFilter kind = instance.motion ? InstanceFilter::moving : InstanceFilter::unmoving;
+  return {glm::mat4x3(glm::mat4(world_from_mesh)), glm::packUnorm4x8(glm::vec4(instance.albedo, 1.0f)),
+          static_cast<uint32_t>(kind)};
+}
+
 uint32_t packed_normal(const Mesh& mesh, const glm::uvec3& triangle) {
   const glm::dvec3 a(mesh.positions[triangle.x]), b(mesh.positions[triangle.y]), c(mesh.positions[triangle.z]);
   return glm::packSnorm2x16(octahedral(glm::vec3(glm::normalize(glm::cross(b - a, c - a)))));
@@ -59,36 +66,41 @@ uint32_t packed_normal(const Mesh& mesh, const glm::uvec3& triangle) {
 
 }  // namespace
 
-SceneGpu::SceneGpu(const gpu::Device& device, const Scene& scene, double time) : device_(device) {
+SceneGpu::SceneGpu(const gpu::Device& device, const Scene& scene, double time, uint32_t frames_in_flight)
+    : device_(device) {
   // Instances of one mesh side by side, in the scene's order.
   std::vector<uint32_t> instance_order(scene.instances.size());
   std::iota(instance_order.begin(), instance_order.end(), 0u);
   std::stable_sort(instance_order.begin(), instance_order.end(),
                    [&](uint32_t a, uint32_t b) { return scene.instances[a].mesh < scene.instances[b].mesh; });
-  std::vector<Box> mesh_bounds;
-  for (const Mesh& mesh : scene.meshes) mesh_bounds.push_back(shadewright::bounds(mesh));
+  for (const Mesh& mesh : scene.meshes) mesh_bounds_.push_back(shadewright::bounds(mesh));
 
   std::vector<shared::InstanceData> instances;
   std::vector<glm::uvec2> mesh_instances(scene.meshes.size(), glm::uvec2(0));
   instance_bounds_.resize(scene.instances.size());
+  std::vector<uint32_t> device_order(scene.instances.size());
   for (const uint32_t index : instance_order) {
     const Instance& instance = scene.instances[index];
     const glm::dmat4 world_from_mesh = transform_at(scene, instance, time);
     if (mesh_instances[instance.mesh].y++ == 0)
       mesh_instances[instance.mesh].x = static_cast<uint32_t>(instances.size());
-    instances.push_back({glm::mat4x3(glm::mat4(world_from_mesh)), glm::packUnorm4x8(glm::vec4(instance.albedo, 1.0f))});
-    instance_bounds_[index] = transform(world_from_mesh, mesh_bounds[instance.mesh]);
+    device_order[index] = static_cast<uint32_t>(instances.size());
+    instances.push_back(instance_data(instance, world_from_mesh));
+    instance_bounds_[index] = transform(world_from_mesh, mesh_bounds_[instance.mesh]);
     instance_centers_.emplace_back(instance_bounds_[index].center());
     bounds_.extend(instance_bounds_[index]);
+    if (!instance.motion) unmoving_bounds_.extend(instance_bounds_[index]);
   }
 
   std::vector<glm::vec3> positions;
   std::vector<glm::uvec3> triangles;
   std::vector<uint32_t> normals;
   std::vector<shared::ClusterData> clusters;
+  std::vector<uint32_t> mesh_first_cluster(scene.meshes.size() + 1, 0);
   for (size_t m = 0; m < scene.meshes.size(); ++m) {
     const Mesh& mesh = scene.meshes[m];
     const glm::uvec2 shown = mesh_instances[m];
+    mesh_first_cluster[m] = static_cast<uint32_t>(clusters.size());
     if (shown.y == 0 || mesh.triangles.empty()) continue;
     const auto base = static_cast<uint32_t>(positions.size());
     positions.insert(positions.end(), mesh.positions.begin(), mesh.positions.end());
@@ -108,17 +120,77 @@ SceneGpu::SceneGpu(const gpu::Device& device, const Scene& scene, double time) :
       clusters.push_back({glm::vec3(box.center()), glm::vec3(0.5 * box.size()), first_index, 3 * (end - begin), shown.x,
                           shown.y, list_capacity_});
       list_capacity_ += shown.y;
-      cluster_centers_.push_back(instances[shown.x].world_from_mesh * glm::vec4(glm::vec3(box.center()), 1.0f));
+      cluster_mesh_centers_.emplace_back(box.center());
+      cluster_centers_.push_back(instances[shown.x].world_from_mesh * glm::vec4(cluster_mesh_centers_.back(), 1.0f));
       cluster_instances_.push_back(shown);
     }
   }
   cluster_count_ = static_cast<uint32_t>(clusters.size());
+  mesh_first_cluster.back() = cluster_count_;
 
   positions_ = gpu::make_buffer<glm::vec3>(device, "scene positions", positions);
   indices_ = gpu::make_buffer<glm::uvec3>(device, "scene indices", triangles);
   normals_ = gpu::make_buffer<uint32_t>(device, "scene triangle normals", normals);
   instances_ = gpu::make_buffer<shared::InstanceData>(device, "scene instances", instances);
   clusters_ = gpu::make_buffer<shared::ClusterData>(device, "scene clusters", clusters);
+
+  for (uint32_t i = 0; i < scene.instances.size(); ++i) {
+    const Instance& instance = scene.instances[i];
+    if (!instance.motion) continue;
+    const uint32_t first = mesh_first_cluster[instance.mesh];
+    const uint32_t at = device_order[i];
+    constexpr vk::DeviceSize bytes = sizeof(shared::InstanceData);
+    const vk::DeviceSize from = movers_.size() * bytes, to = at * bytes;
+    if (!moving_runs_.empty() && moving_runs_.back().dstOffset + moving_runs_.back().size == to)
+      moving_runs_.back().size += bytes;
+    else
+      moving_runs_.push_back({from, to, bytes});
+    moving_instances_.push_back(i);
+    movers_.push_back(
+        {at, instance.mesh, first, mesh_first_cluster[instance.mesh + 1] - first, instances[at].world_from_mesh});
+  }
+  moved_.reserve(movers_.size());
+  if (movers_.empty()) return;
+  for (uint32_t slot = 0; slot < frames_in_flight; ++slot)
+    staging_.emplace_back(device, "scene moving instances", movers_.size() * sizeof(shared::InstanceData),
+                          gpu::HostAccess::write);
+}
+
+void SceneGpu::place_clusters(const Mover& mover) {
+  for (uint32_t c = mover.first_cluster; c < mover.first_cluster + mover.cluster_count; ++c)
+    if (cluster_instances_[c].x == mover.device_index)
+      cluster_centers_[c] = mover.world_from_mesh * glm::vec4(cluster_mesh_centers_[c], 1.0f);
+}
+
+void SceneGpu::update(const Scene& scene, double time, uint32_t slot, gpu::Recorder& recorder) {
+  if (scene.instances.size() != instance_bounds_.size())
+    throw std::logic_error("not the scene that SceneGpu was made of");
+  ++update_count_;
+  moved_.clear();
+  if (movers_.empty()) return;
+  if (slot >= staging_.size()) throw std::logic_error("not a frame in flight that SceneGpu was made for");
+  const auto staging = staging_[slot].mapped<shared::InstanceData>();
+  bounds_ = unmoving_bounds_;
+  for (size_t m = 0; m < movers_.size(); ++m) {
+    Mover& mover = movers_[m];
+    const uint32_t index = moving_instances_[m];
+    const glm::dmat4 world_from_mesh = transform_at(scene, scene.instances[index], time);
+    staging[m] = instance_data(scene.instances[index], world_from_mesh);
+    Box& box = instance_bounds_[index];
+    if (staging[m].world_from_mesh != mover.world_from_mesh) {
+      mover.world_from_mesh = staging[m].world_from_mesh;
+      const Box now = transform(world_from_mesh, mesh_bounds_[mover.mesh]);
+      moved_.push_back({index, box, now});
+      box = now;
+      instance_centers_[mover.device_index] = glm::vec3(box.center());
+      place_clusters(mover);
+    }
+    bounds_.extend(box);
+  }
+  recorder.stage("scene", [&](const vk::raii::CommandBuffer& commands) {
+    gpu::memory_barrier(commands);  // frames before this one have read their instances
+    commands.copyBuffer(staging_[slot].handle(), instances_.handle(), moving_runs_);
+  });
 }
 
 std::vector<uint32_t> SceneGpu::front_to_back(const glm::dvec3& eye) const {
@@ -148,8 +220,10 @@ std::vector<uint32_t> SceneGpu::front_to_back(const glm::dvec3& eye) const {
 }
 
 std::vector<Allocation> SceneGpu::allocations() const {
-  return {positions_.allocation(), indices_.allocation(), normals_.allocation(), instances_.allocation(),
-          clusters_.allocation()};
+  std::vector<Allocation> result{positions_.allocation(), indices_.allocation(), normals_.allocation(),
+                                 instances_.allocation(), clusters_.allocation()};
+  for (const gpu::Buffer& staging : staging_) result.push_back(staging.allocation());
+  return result;
 }
 
 }  // namespace shadewright::render

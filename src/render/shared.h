@@ -21,6 +21,7 @@ using uint = uint32_t;
 struct InstanceData {
   mat4x3 world_from_mesh;
   uint albedo;  // RGBA8, linear
+  uint kind;    // render::InstanceFilter: unmoving or moving
 };
 
 /// A cluster of one instance that a view draws, as instance-rate vertex attributes: reading the instance from a storage
@@ -44,10 +45,11 @@ struct ClusterData {
 
 const uint max_cull_planes = 10;
 
-/// What one view draws: clusters inside all planes (world space, inside is positive).
+/// What one view draws: clusters inside all planes (world space, inside is positive), of instances of the `kinds`.
 struct CullView {
   vec4 planes[max_cull_planes];
   uint plane_count;
+  uint kinds;  // render::InstanceFilter
 };
 
 /// VkDrawIndexedIndirectCommand.

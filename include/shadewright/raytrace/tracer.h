@@ -52,6 +52,11 @@ class Tracer {
   Tracer(Tracer&&) noexcept;
   Tracer& operator=(Tracer&&) noexcept;
 
+  /// Moves to another time of `scene`, the one this was made of: only instances whose motion has moved them are
+  /// transformed again, and nothing is done if there are none. Answers are those of a Tracer made at that time. No query
+  /// may run meanwhile.
+  void update(const Scene& scene, double time);
+
   /// For each point 1 where the light reaches it, else 0. Points that are invalid, face away from the light, or lie
   /// outside a spot's cone get 0. `row_length` is the image's width if the points are an image (packets are then made
   /// of tiles), or 0. Rays start off the surface by `position_error` of the point, along the normal (no scene
