@@ -44,7 +44,14 @@ refuses 2 'both' render builtin:spheres -t sm -o x.png --eye 1,2,3 "${small[@]}"
 refuses 2 'AZIMUTH' render builtin:spheres -t sm -o x.png --sun high "${small[@]}"
 refuses 2 'device' render builtin:spheres -t sm -o x.png --device nosuch "${small[@]}"
 refuses 2 'debug' render builtin:spheres -t sm -o x.png --debug nosuch "${small[@]}"
-refuses 2 'not built yet' compare builtin:spheres -t sm -o out --path main "${small[@]}"
+refuses 2 'camera path' compare builtin:spheres -t sm -o out --path main "${small[@]}"
+refuses 2 'main' compare builtin:street -t sm -o out --path nosuch "${small[@]}"
+refuses 2 'leave one of them out' render builtin:street -t sm -o x.png --path main --camera overview "${small[@]}"
+refuses 2 'nothing moves' compare builtin:spheres -t sm -o out --frames 3 "${small[@]}"
+refuses 2 'frames' compare builtin:street -t sm -o out --path main --frames 0 "${small[@]}"
+refuses 2 'not a sun' compare builtin:chess -t sm -o out --sun-to 10,20 "${small[@]}"
+refuses 2 'only one frame' compare builtin:spheres -t sm -o out --every-frame "${small[@]}"
+refuses 2 'several images' render builtin:street -t sm -o - --path main --frames 2 "${small[@]}"
 refuses 2 'report.json' compare builtin:spheres -t sm -o out --against missing.json "${small[@]}"
 refuses 2 'downwards' compare builtin:spheres -t sm@1024..512 -o out "${small[@]}"
 refuses 2 'not built yet' bench psm -o out
@@ -76,6 +83,18 @@ grep -q '"schema": "shadewright.compare/1"' out/report.json || fail "report.json
 works compare builtin:spheres -t sm@512 -o again --against out/report.json --size 160x90 --repeat 1
 grep -q 'against' stdout || fail "compare --against says nothing"
 grep -qE '(src|href|url)[=(]"?https?:' out/index.html && fail "index.html refers to the network"
+
+works compare builtin:street --path main --frames 3 -t sm@256 -t ray -o path --every-frame --size 160x90 --validation
+grep -q 'flicker' stdout || fail "compare along a path tells no flicker"
+for file in report.json sm-256.png sm-256-frames/0002.png reference-frames/0000.png; do
+  [ -s "path/$file" ] || fail "compare along a path wrote no $file"
+done
+grep -q '"frames": 3' path/report.json && ! grep -q '"flicker": null' path/report.json || fail "report.json tells no flicker"
+works render builtin:street --frames 2 -t sm@256 -o frame.png --mask frame-mask.png --json frame.json "${small[@]}"
+for file in frame_0000.png frame_0001.png frame-mask_0001.png frame.json; do [ -s "$file" ] || fail "render wrote no $file"; done
+cmp -s frame-mask_0000.png frame-mask_0001.png && fail "the street's animation does not run"
+works compare builtin:spheres --sun 35,45 --sun-to 60,30 --frames 2 -t sm@256 -o turning "${small[@]}"
+grep -q '"light_moves": true' turning/report.json || fail "--sun-to does not move the light"
 
 works bake builtin:spheres -r 512 -o sun.cpvs --json bake.json --quiet
 [ -s sun.cpvs ] && grep -q '"dag_bytes"' bake.json || fail "bake wrote no file or no figures"

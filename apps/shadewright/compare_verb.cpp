@@ -10,7 +10,7 @@
 
 #include "options.h"
 #include "shadewright/compare/approximation.h"
-#include "shadewright/compare/study.h"
+#include "shadewright/compare/path_study.h"
 #include "shadewright/error.h"
 #include "verbs.h"
 
@@ -23,6 +23,7 @@ struct Flags {
   std::vector<std::string> techniques;
   std::string output, against;
   bool against_triangles = false;
+  bool every_frame = false;
 };
 
 /// What is compared when nothing is asked for: everything there is, at its default.
@@ -42,13 +43,20 @@ void print_table(const compare::Report& report) {
   fmt::print("{}, {}x{}, {} ({:.1f} % lit in truth, camera pass {:.1f} ms, one shadow ray a pixel {:.1f} ms)\n",
              report.scene_name, report.width, report.height, report.device_name, 100 * report.reference_lit_fraction,
              report.camera_pass_milliseconds, report.reference_milliseconds);
-  fmt::print("{:<34} {:>8} {:>9} {:>9} {:>8} {:>9} {:>9} {:>8}\n", "technique", "wrong %", "edge %", "f.shadow",
-             "f.lit", "ms", "frame ms", "MB");
-  for (const auto& result : report.results)
-    fmt::print("{:<34} {:>8.3f} {:>9.2f} {:>9} {:>8} {:>9.1f} {:>9.1f} {:>8.1f}\n", truncated(result.technique, 34),
+  const bool moving = report.path.has_value();
+  if (moving)
+    fmt::print("{} frames{}{}, figures over all of them\n", report.path->frames,
+               report.path->name.empty() ? "" : " along ", report.path->name);
+  fmt::print("{:<34} {:>8} {:>9} {:>9} {:>8} {:>9} {:>9} {:>8}{}\n", "technique", "wrong %", "edge %", "f.shadow",
+             "f.lit", "ms", "frame ms", "MB", moving ? " flicker %" : "");
+  for (const auto& result : report.results) {
+    fmt::print("{:<34} {:>8.3f} {:>9.2f} {:>9} {:>8} {:>9.1f} {:>9.1f} {:>8.1f}", truncated(result.technique, 34),
                100 * result.error.fraction, 100 * result.error.boundary_fraction, result.error.false_shadow,
                result.error.false_lit, result.milliseconds.median, result.frame_milliseconds,
                static_cast<double>(result.memory_bytes()) / 1e6);
+    if (result.error.flicker) fmt::print(" {:>9.4f}", 100 * *result.error.flicker);
+    fmt::print("\n");
+  }
 }
 
 /// One sentence on how the truth of the points in `study` differs from that of the triangles they stand for.
@@ -68,6 +76,31 @@ std::string cost_of_points(const SceneFlags& flags, const gpu::Device& device, c
       100 * error.fraction, error.compared, 100 * error.lit_shown, 100 * error.lit_exact, error.coverage);
 }
 
+compare::Report compare_view(const Flags& flags, const View& view, const gpu::Device& device,
+                             std::span<const shadow::Spec> specs, const compare::Report* before,
+                             ProgressBar& progress) {
+  const compare::StudyOptions options{view.width, view.height, flags.scene.repeat, flags.scene.reference_samples, true};
+  if (!view.moments.empty()) {
+    if (flags.against_triangles)
+      throw InputError("--against-triangles", "it compares a single view, not the frames of a path",
+                       "leave --path, --frames and --sun-to out");
+    compare::PathStudy study(device, view.scene, view.path, view.moments, options);
+    study.add_notes(view.notes);
+    return compare::compare_along_path(study, specs, flags.output, flags.every_frame, before, progress.callback());
+  }
+  if (flags.every_frame)
+    throw InputError("--every-frame", "there is only one frame", "give --path, --frames or --sun-to as well");
+  compare::Study study(device, view.scene, view.camera, view.light, options, progress.callback());
+  study.add_notes(view.notes);
+  if (flags.against_triangles) {
+    const std::string cost = cost_of_points(flags.scene, device, study, progress);
+    study.add_notes(std::span(&cost, 1));
+    progress.clear();
+    if (!flags.scene.quiet) fmt::print(stderr, "{}\n", cost);
+  }
+  return compare::compare_techniques(study, specs, flags.output, before, progress.callback());
+}
+
 void run(const Flags& flags) {
   if (flags.against_triangles && flags.scene.points == "off")
     throw InputError("--against-triangles", "the scene is drawn as triangles already", "give --points auto too");
@@ -80,17 +113,7 @@ void run(const Flags& flags) {
   ProgressBar progress(flags.scene.quiet);
   const View view = load_view(flags.scene, progress);
   const gpu::Device device(device_options(flags.scene));
-  const compare::StudyOptions options{view.width, view.height, flags.scene.repeat, flags.scene.reference_samples, true};
-  compare::Study study(device, view.scene, view.camera, view.light, options, progress.callback());
-  study.add_notes(view.notes);
-  if (flags.against_triangles) {
-    const std::string cost = cost_of_points(flags.scene, device, study, progress);
-    study.add_notes(std::span(&cost, 1));
-    progress.clear();
-    if (!flags.scene.quiet) fmt::print(stderr, "{}\n", cost);
-  }
-  const compare::Report report =
-      compare::compare_techniques(study, specs, flags.output, before ? &*before : nullptr, progress.callback());
+  const compare::Report report = compare_view(flags, view, device, specs, before ? &*before : nullptr, progress);
   progress.clear();
   check_validation(device);
   if (flags.scene.quiet) return;
@@ -113,7 +136,11 @@ void add_compare(CLI::App& app) {
   verb->add_option("--against", flags->against, "An earlier report.json: tell what changed");
   verb->add_flag("--against-triangles", flags->against_triangles,
                  "With --points: also tell how the points' truth differs from the triangles'");
-  verb->footer("Example: shadewright compare builtin:sandbox -t sm@512..4096 -t pcf@2048 -o out/sandbox");
+  verb->add_flag("--every-frame", flags->every_frame,
+                 "Along a path, also write the picture of each frame: DIR/TECHNIQUE-frames/0000.png and so on");
+  verb->footer(
+      "Example: shadewright compare builtin:sandbox -t sm@512..4096 -t pcf@2048 -o out/sandbox\n"
+      "A path: shadewright compare builtin:street --path main --frames 60 -t sm@1024 -t pcf@1024 -o out/street");
   verb->callback([flags] { run(*flags); });
 }
 

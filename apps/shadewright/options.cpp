@@ -17,6 +17,8 @@ namespace shadewright::app {
 
 namespace {
 
+constexpr uint32_t default_frames = 30;
+
 /// "X,Y,Z" to N numbers; InputError naming the flag.
 template <size_t N>
 std::array<double, N> parse_numbers(const std::string& flag, const std::string& text, const char* shape) {
@@ -32,6 +34,14 @@ std::array<double, N> parse_numbers(const std::string& flag, const std::string& 
     at = next + (last ? 0 : 1);
   }
   return values;
+}
+
+/// Azimuth and elevation, degrees.
+glm::dvec2 parse_sun(const std::string& flag, const std::string& text) {
+  const auto angles = parse_numbers<2>(flag, text, "AZIMUTH,ELEVATION");
+  if (std::abs(angles[1]) > 90)
+    throw InputError(flag + " " + text, "the elevation is beyond 90 degrees", "give -90 to 90");
+  return {angles[0], angles[1]};
 }
 
 glm::dvec3 parse_point(const std::string& flag, const std::string& text) {
@@ -85,6 +95,39 @@ Camera choose_camera(const SceneFlags& flags, const Scene& scene, std::vector<st
   return camera;
 }
 
+/// The frames that --path, --frames and --sun-to ask for; empty if none of them is given.
+std::vector<Moment> choose_moments(const SceneFlags& flags, const Scene& scene, const Light& light,
+                                   std::vector<std::string>& notes) {
+  const bool sun_turns = !flags.sun_to.empty();
+  if (flags.path.empty() && flags.frames == 0 && !sun_turns) return {};
+  const uint32_t count = flags.frames == 0 ? default_frames : flags.frames;
+  std::vector<Moment> moments;
+  if (!flags.path.empty()) {
+    if (!flags.camera.empty() || !flags.eye.empty())
+      throw InputError("--path " + flags.path, "the path moves the camera, --camera and --eye set it",
+                       "leave one of them out");
+    moments = moments_along(find_path(scene, flags.path), light, count);
+    if (flags.fov != 0)
+      for (Moment& moment : moments) moment.camera.fov_y = glm::radians(flags.fov);
+  } else {
+    if (scene.motions.empty() && !sun_turns)
+      throw InputError(fmt::format("--frames {}", flags.frames), "nothing moves in this scene",
+                       scene.paths.empty() ? "turn the sun with --sun-to AZIMUTH,ELEVATION"
+                                           : "move the camera with --path " + scene.paths.front().name);
+    moments = moments_of_motions(scene, choose_camera(flags, scene, notes), light, count);
+  }
+  if (sun_turns) {
+    const glm::dvec2 to = parse_sun("--sun-to", flags.sun_to);
+    if (light.kind != LightKind::directional)
+      throw InputError("--sun-to " + flags.sun_to, fmt::format("the light '{}' is not a sun", light.name),
+                       "give --sun AZIMUTH,ELEVATION as well");
+    const glm::dvec2 from = flags.light.sun.empty() ? sun_angles(light) : parse_sun("--sun", flags.light.sun);
+    turn_sun(moments, from, to);
+    notes.push_back(fmt::format("the sun turns from {:.6g},{:.6g} to {:.6g},{:.6g}", from.x, from.y, to.x, to.y));
+  }
+  return moments;
+}
+
 }  // namespace
 
 Light choose_light(const LightFlags& flags, const Scene& scene, std::vector<std::string>& notes) {
@@ -92,10 +135,8 @@ Light choose_light(const LightFlags& flags, const Scene& scene, std::vector<std:
     throw InputError("--light", "it can't be given with --sun", "give one of them");
   if (!flags.light.empty()) return find_light(scene, flags.light);
   if (!flags.sun.empty()) {
-    const auto angles = parse_numbers<2>("--sun", flags.sun, "AZIMUTH,ELEVATION");
-    if (std::abs(angles[1]) > 90)
-      throw InputError("--sun " + flags.sun, "the elevation is beyond 90 degrees", "give -90 to 90");
-    return sun(angles[0], angles[1]);
+    const glm::dvec2 angles = parse_sun("--sun", flags.sun);
+    return sun(angles.x, angles.y);
   }
   if (!scene.lights.empty()) {
     if (scene.lights.size() > 1)
@@ -141,8 +182,14 @@ void SceneFlags::add_to(CLI::App& verb) {
   verb.add_option("--reference-samples", reference_samples, "Samples a pixel of the filtered reference")
       ->capture_default_str()
       ->check(CLI::Range(0, 1024));
-  verb.add_option("--path", path, "A camera path of the scene (not built yet)");
-  verb.add_option("--frames", frames, "Frames along the path (not built yet)");
+  verb.add_option("--path", path,
+                  "Move along a camera path of the scene, by name, with its animation running; each frame once");
+  verb.add_option("--frames", frames,
+                  fmt::format("Frames, evenly over the whole path (default {}); without --path the camera keeps still "
+                              "while the scene's animation runs",
+                              default_frames))
+      ->check(CLI::Range(1, 100000));
+  verb.add_option("--sun-to", sun_to, "Turn the sun from --sun (or the scene's) to AZIMUTH,ELEVATION over the frames");
   verb.add_option("--points", points,
                   "Draw far instances as points: off, auto (samples at most 2 pixels away), or that many pixels; "
                   "image, maps and truth show the same points")
@@ -169,9 +216,6 @@ std::optional<double> point_spacing(const std::string& text) {
 }  // namespace
 
 View load_view(const SceneFlags& flags, ProgressBar& progress) {
-  if (!flags.path.empty() || flags.frames != 0)
-    throw InputError("--path " + flags.path, "camera paths and flicker are not built yet",
-                     "leave --path and --frames out");
   View view;
   parse_size(flags.size, view.width, view.height);
   const std::optional<double> spacing = point_spacing(flags.points);
@@ -179,12 +223,16 @@ View load_view(const SceneFlags& flags, ProgressBar& progress) {
   progress.clear();
   view.scene = std::move(loaded.scene);
   view.notes = std::move(loaded.warnings);
-  view.camera = choose_camera(flags, view.scene, view.notes);
   view.light = choose_light(flags.light, view.scene, view.notes);
+  view.path = flags.path;
+  view.moments = choose_moments(flags, view.scene, view.light, view.notes);
+  view.camera = view.moments.empty() ? choose_camera(flags, view.scene, view.notes) : view.moments.front().camera;
   if (spacing) {
-    const PointView seen = point_view(view.camera, view.height);
+    std::vector<PointView> seen;
+    if (view.moments.empty()) seen.push_back(point_view(view.camera, view.height));
+    for (const Moment& moment : view.moments) seen.push_back(point_view(moment.camera, view.height, moment.time));
     PointSummary summary;
-    view.scene = with_points(view.scene, std::span(&seen, 1), {.spacing = *spacing}, &summary, progress.callback());
+    view.scene = with_points(view.scene, seen, {.spacing = *spacing}, &summary, progress.callback());
     progress.clear();
     view.notes.push_back(describe(summary));
   }

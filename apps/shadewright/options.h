@@ -8,6 +8,7 @@
 #include "progress_bar.h"
 #include "shadewright/gpu/device.h"
 #include "shadewright/scene/load.h"
+#include "shadewright/scene/moments.h"
 #include "shadewright/scene/scene.h"
 
 namespace shadewright::app {
@@ -26,8 +27,8 @@ struct SceneFlags {
   std::string size = "1920x1080";
   uint32_t repeat = 10;
   uint32_t reference_samples = 16;
-  std::string path;
-  uint32_t frames = 0;
+  std::string path, sun_to;
+  uint32_t frames = 0;  ///< 0 = not given
   std::string points = "off";
   std::string device;
   bool quiet = false, verbose = false, validation = false;
@@ -41,6 +42,8 @@ struct View {
   Camera camera;
   Light light;
   uint32_t width = 0, height = 0;
+  std::string path;                ///< name of the camera path; empty without one
+  std::vector<Moment> moments;     ///< the frames, if more than the one view was asked for; `camera` is the first one's
   std::vector<std::string> notes;  ///< what was chosen or warned of
 };
 

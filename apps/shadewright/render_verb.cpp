@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "options.h"
+#include "shadewright/compare/path_study.h"
 #include "shadewright/compare/report.h"
-#include "shadewright/compare/study.h"
 #include "shadewright/error.h"
 #include "shadewright/render/image.h"
 #include "verbs.h"
@@ -34,6 +34,56 @@ void list_debug_images(const shadow::Spec& spec, const SceneFlags& flags) {
     fmt::print("{}\n", name);
 }
 
+/// "image.png" to "image_0007.png".
+std::string numbered(const std::string& file, uint32_t frame) {
+  const std::filesystem::path path(file);
+  return (path.parent_path() / fmt::format("{}_{:04}{}", path.stem().string(), frame, path.extension().string()))
+      .string();
+}
+
+/// Writes what a technique showed: `radiance` is the scene lit with its visibility.
+void write_images(const Flags& flags, const View& view, const compare::Outcome& outcome,
+                  std::span<const glm::vec3> radiance, const std::string& output, const std::string& mask) {
+  if (std::filesystem::path(output).extension() == ".exr")
+    render::write_exr(radiance, outcome.visibility, view.width, view.height, output);
+  else
+    write_png(render::to_picture(radiance, view.width, view.height), output);
+  if (!mask.empty()) write_png(render::to_picture(outcome.visibility, view.width, view.height), mask);
+  for (size_t i = 0; i < outcome.debug.size(); ++i) {
+    const std::filesystem::path image(output);
+    write_png(outcome.debug[i], image.parent_path() / (image.stem().string() + "-" + flags.debug[i] + ".png"));
+  }
+}
+
+void render_view(const Flags& flags, const shadow::Spec& spec, const View& view, const gpu::Device& device,
+                 const compare::StudyOptions& options, ProgressBar& progress) {
+  compare::Study study(device, view.scene, view.camera, view.light, options, progress.callback());
+  study.add_notes(view.notes);
+  compare::Outcome outcome = study.run(spec, flags.debug);
+  check_validation(device);
+  write_images(flags, view, outcome, study.shade(outcome.visibility), flags.output, flags.mask);
+  if (flags.json.empty()) return;
+  compare::Report report = study.report();
+  report.results.push_back(std::move(outcome.result));
+  write_text(compare::to_json(report), flags.json);
+}
+
+void render_frames(const Flags& flags, const shadow::Spec& spec, const View& view, const gpu::Device& device,
+                   const compare::StudyOptions& options, ProgressBar& progress) {
+  if (flags.output == "-" || flags.mask == "-")
+    throw InputError("-o -", "several frames are several images", "name a file, they are numbered after it");
+  compare::PathStudy study(device, view.scene, view.path, view.moments, options);
+  study.add_notes(view.notes);
+  const auto write = [&](uint32_t frame, std::span<const compare::Outcome> outcomes) {
+    const compare::Outcome& outcome = outcomes.front();
+    write_images(flags, view, outcome, study.shade(outcome.visibility), numbered(flags.output, frame),
+                 flags.mask.empty() ? "" : numbered(flags.mask, frame));
+  };
+  const compare::Report report = study.run(std::span(&spec, 1), flags.debug, write, progress.callback());
+  progress.clear();
+  if (!flags.json.empty()) write_text(compare::to_json(report), flags.json);
+}
+
 void run(const Flags& flags) {
   const shadow::Spec spec = shadow::parse_spec(flags.technique);
   check_image_name("-o", flags.output, true);
@@ -50,26 +100,11 @@ void run(const Flags& flags) {
   // Without figures asked for, the truth need not be traced (it is the technique itself for 'ray').
   options.reference = !flags.json.empty() || spec.parameterization == "ray";
   if (!options.reference) options.repeat = 0;
-  compare::Study study(device, view.scene, view.camera, view.light, options, progress.callback());
-  compare::Outcome outcome = study.run(spec, flags.debug);
-  check_validation(device);
-
-  const auto radiance = study.shade(outcome.visibility);
-  if (std::filesystem::path(flags.output).extension() == ".exr")
-    render::write_exr(radiance, outcome.visibility, view.width, view.height, flags.output);
+  if (view.moments.empty())
+    render_view(flags, spec, view, device, options, progress);
   else
-    write_png(render::to_picture(radiance, view.width, view.height), flags.output);
-  if (!flags.mask.empty()) write_png(render::to_picture(outcome.visibility, view.width, view.height), flags.mask);
-  for (size_t i = 0; i < outcome.debug.size(); ++i) {
-    const std::filesystem::path image(flags.output);
-    write_png(outcome.debug[i], image.parent_path() / (image.stem().string() + "-" + flags.debug[i] + ".png"));
-  }
-  if (!flags.json.empty()) {
-    compare::Report report = study.report();
-    report.notes = view.notes;
-    report.results.push_back(std::move(outcome.result));
-    write_text(compare::to_json(report), flags.json);
-  }
+    render_frames(flags, spec, view, device, options, progress);
+  check_validation(device);
 }
 
 }  // namespace
@@ -79,7 +114,9 @@ void add_render(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("render", "Render a scene with one shadow technique");
   flags->scene.add_to(*verb);
   verb->add_option("-t,--technique", flags->technique, "The technique, as a SPEC (see --help-spec)")->required();
-  verb->add_option("-o,--output", flags->output, "IMAGE.png or .exr; - is standard output (PNG)")->required();
+  verb->add_option("-o,--output", flags->output,
+                   "IMAGE.png or .exr; - is standard output (PNG). Frames of a path are numbered: IMAGE_0000.png")
+      ->required();
   verb->add_option("--mask", flags->mask, "Also write the visibility, MASK.png");
   verb->add_option("--json", flags->json,
                    "Also measure against ray tracing and write the figures; - is standard output");
@@ -91,7 +128,9 @@ void add_render(CLI::App& app) {
         throw CLI::Success();
       },
       "Print aliases, parts and keys of a SPEC");
-  verb->footer("Example: shadewright render builtin:chess -t pcf@2048 -o chess.png");
+  verb->footer(
+      "Example: shadewright render builtin:chess -t pcf@2048 -o chess.png\n"
+      "A path: shadewright render builtin:street --path main --frames 60 -t pcf@2048 -o frames/street.png");
   verb->callback([flags] { run(*flags); });
 }
 

@@ -35,6 +35,12 @@ bool same(const Light& a, const Light& b) {
   return a.kind != LightKind::spot || near(a.outer_angle, b.outer_angle);
 }
 
+bool same(const std::optional<ReportPath>& a, const std::optional<ReportPath>& b) {
+  if (!a || !b) return !a && !b;
+  return a->name == b->name && a->frames == b->frames && near(a->first_time, b->first_time) &&
+         near(a->last_time, b->last_time) && a->light_moves == b->light_moves;
+}
+
 std::string relative(double before, double after) {
   if (before == after) return "(same)";
   if (before == 0) return "";
@@ -99,6 +105,7 @@ std::vector<std::string> changed_conditions(const Report& before, const Report& 
   differs("device", before.device_name, after.device_name);
   differs("image size", fmt::format("{} x {}", before.width, before.height),
           fmt::format("{} x {}", after.width, after.height));
+  if (!same(before.path, after.path)) conditions.emplace_back("the camera path or its frames differ");
   if (!same(before.camera, after.camera)) conditions.emplace_back("the camera differs");
   if (!same(before.light, after.light)) conditions.emplace_back("the light differs");
   return conditions;

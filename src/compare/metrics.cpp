@@ -35,10 +35,6 @@ constexpr size_t exception_batch = 16384;
 
 constexpr uint32_t rows_per_task = 16;
 
-bool lit(float visibility) {
-  return visibility >= 0.5f;
-}
-
 void require_size(std::string_view name, size_t size, size_t pixels, bool may_be_empty) {
   if (size == pixels || (may_be_empty && size == 0)) return;
   throw InputError("error metrics", fmt::format("`{}` has {} pixels and the image {}", name, size, pixels));
@@ -226,6 +222,7 @@ ErrorFigures measure_error(const MetricsInput& input, const Tracer& tracer, cons
   figures.false_lit = counts.false_lit;
   if (!input.oracle.empty()) figures.oracle_fraction = ratio(counts.oracle_wrong, counts.compared);
   figures.edge_pixels = counts.edge_pixels;
+  figures.boundary_pixels = counts.boundary;
   figures.boundary_fraction = ratio(counts.boundary_wrong, counts.boundary);
   figures.mean_absolute = counts.compared == 0 ? 0.0 : counts.absolute / static_cast<double>(counts.compared);
 
@@ -240,6 +237,43 @@ ErrorFigures measure_error(const MetricsInput& input, const Tracer& tracer, cons
     }
   }
   return figures;
+}
+
+std::vector<uint8_t> wrong_pixels(const MetricsInput& input) {
+  std::vector<uint8_t> wrong(input.visibility.size());
+  for (size_t i = 0; i < wrong.size(); ++i)
+    wrong[i] = input.facing[i] != 0 && lit(input.visibility[i]) != (input.reference[i] != 0);
+  return wrong;
+}
+
+ErrorFigures total(std::span<const ErrorFigures> frames) {
+  ErrorFigures sum;
+  // Fractions are counts over counts: their counts are added, too.
+  double oracle_wrong = 0, boundary_wrong = 0, absolute = 0;
+  bool all_have_oracle = !frames.empty();
+  for (const ErrorFigures& frame : frames) {
+    const auto compared = static_cast<double>(frame.compared);
+    sum.wrong += frame.wrong;
+    sum.compared += frame.compared;
+    sum.image_pixels += frame.image_pixels;
+    sum.false_shadow += frame.false_shadow;
+    sum.false_lit += frame.false_lit;
+    sum.interior_false_shadow += frame.interior_false_shadow;
+    sum.interior_false_lit += frame.interior_false_lit;
+    sum.edge_pixels += frame.edge_pixels;
+    sum.boundary_pixels += frame.boundary_pixels;
+    all_have_oracle = all_have_oracle && frame.oracle_fraction.has_value();
+    oracle_wrong += frame.oracle_fraction.value_or(0) * compared;
+    boundary_wrong += frame.boundary_fraction * static_cast<double>(frame.boundary_pixels);
+    absolute += frame.mean_absolute * compared;
+  }
+  const auto share = [](double part, uint64_t whole) { return whole == 0 ? 0.0 : part / static_cast<double>(whole); };
+  sum.fraction = ratio(sum.wrong, sum.compared);
+  sum.match = 1.0 - ratio(sum.wrong, sum.image_pixels);
+  if (all_have_oracle) sum.oracle_fraction = share(oracle_wrong, sum.compared);
+  sum.boundary_fraction = share(boundary_wrong, sum.boundary_pixels);
+  sum.mean_absolute = share(absolute, sum.compared);
+  return sum;
 }
 
 }  // namespace shadewright::compare

@@ -292,5 +292,30 @@ TEST(Metrics, AgreesWithTheDefinitionsOnRandomImages) {
   }
 }
 
+TEST(Metrics, TotalIsTheErrorOfAllFramesTogether) {
+  // One image cut in two by a row that is not compared, far enough for boundaries not to meet.
+  const std::vector<std::string> top{"....####", "....####"}, bottom{".#######", "........"};
+  const std::vector<std::string> top_answer{"..######", "....####"}, bottom_answer{"..######", ".....#.."};
+  const auto together = [](std::vector<std::string> a, const std::vector<std::string>& b) {
+    for (int i = 0; i < 4; ++i) a.emplace_back("        ");
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+  };
+  const ErrorFigures whole = measure({together(top, bottom), together(top_answer, bottom_answer)});
+  const std::vector<ErrorFigures> parts{measure({top, top_answer}), measure({bottom, bottom_answer})};
+  const ErrorFigures sum = total(parts);
+  EXPECT_EQ(sum.wrong, whole.wrong);
+  EXPECT_EQ(sum.compared, whole.compared);
+  EXPECT_EQ(sum.false_shadow, whole.false_shadow);
+  EXPECT_EQ(sum.false_lit, whole.false_lit);
+  EXPECT_EQ(sum.edge_pixels, whole.edge_pixels);
+  EXPECT_EQ(sum.boundary_pixels, whole.boundary_pixels);
+  EXPECT_DOUBLE_EQ(sum.fraction, whole.fraction);
+  EXPECT_DOUBLE_EQ(sum.boundary_fraction, whole.boundary_fraction);
+  EXPECT_DOUBLE_EQ(sum.mean_absolute, whole.mean_absolute);
+  EXPECT_FALSE(sum.oracle_fraction);
+  EXPECT_EQ(total({}).match, 1);
+}
+
 }  // namespace
 }  // namespace shadewright::compare

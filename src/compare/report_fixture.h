@@ -54,6 +54,7 @@ inline Report example_report() {
   TechniqueResult& rtw = report.results.back();
   rtw.error.oracle_fraction = 0.0005;
   rtw.error.flicker = 0.01;
+  rtw.frames = {{21, 0, 9.5}, {19, 0.01, 1.5}};
   rtw.counters = {{"effective_resolution", {4096, 2048}}, {"pages", {17}}, {"warp", {1.5}}};
   rtw.image = "rtw.png";
   rtw.mask = "rtw_mask.png";

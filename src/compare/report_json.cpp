@@ -61,6 +61,23 @@ Json light_json(const Light& light) {
   return json;
 }
 
+Json path_json(const ReportPath& path) {
+  return {{"name", path.name},
+          {"frames", path.frames},
+          {"first_time", finite(path.first_time)},
+          {"last_time", finite(path.last_time)},
+          {"pictured", path.pictured},
+          {"light_moves", path.light_moves}};
+}
+
+Json frames_json(const std::vector<FrameFigures>& frames) {
+  Json json = Json::array();
+  for (const FrameFigures& frame : frames)
+    json.push_back(
+        {{"wrong", frame.wrong}, {"flicker", finite(frame.flicker)}, {"milliseconds", finite(frame.milliseconds)}});
+  return json;
+}
+
 Json error_json(const ErrorFigures& error) {
   return {{"wrong", error.wrong},
           {"compared", error.compared},
@@ -73,6 +90,7 @@ Json error_json(const ErrorFigures& error) {
           {"interior_false_lit", error.interior_false_lit},
           {"oracle_fraction", optional_number(error.oracle_fraction)},
           {"edge_pixels", error.edge_pixels},
+          {"boundary_pixels", error.boundary_pixels},
           {"boundary_fraction", finite(error.boundary_fraction)},
           {"mean_absolute", finite(error.mean_absolute)},
           {"flicker", optional_number(error.flicker)}};
@@ -100,19 +118,21 @@ Json result_json(const TechniqueResult& result) {
   for (const Allocation& allocation : result.memory)
     memory.push_back({{"name", allocation.name}, {"bytes", allocation.bytes}});
   for (const auto& [name, values] : result.counters) counters[name] = counter_json(values);
-  return {{"technique", result.technique},
-          {"spec", result.spec},
-          {"error", error_json(result.error)},
-          {"milliseconds",
-           {{"median", finite(result.milliseconds.median)},
-            {"min", finite(result.milliseconds.min)},
-            {"max", finite(result.milliseconds.max)},
-            {"stages", stages}}},
-          {"frame_milliseconds", {{"median", finite(result.frame_milliseconds)}}},
-          {"memory_bytes", result.memory_bytes()},
-          {"memory", memory},
-          {"counters", counters},
-          {"images", {{"image", result.image}, {"mask", result.mask}, {"difference", result.difference}}}};
+  Json json = {{"technique", result.technique},
+               {"spec", result.spec},
+               {"error", error_json(result.error)},
+               {"milliseconds",
+                {{"median", finite(result.milliseconds.median)},
+                 {"min", finite(result.milliseconds.min)},
+                 {"max", finite(result.milliseconds.max)},
+                 {"stages", stages}}},
+               {"frame_milliseconds", {{"median", finite(result.frame_milliseconds)}}},
+               {"memory_bytes", result.memory_bytes()},
+               {"memory", memory},
+               {"counters", counters},
+               {"images", {{"image", result.image}, {"mask", result.mask}, {"difference", result.difference}}}};
+  if (!result.frames.empty()) json["frames"] = frames_json(result.frames);
+  return json;
 }
 
 // Reading. The contract's keys must be there; what we added to it, and the contents of camera and light, may be
@@ -193,6 +213,7 @@ ErrorFigures read_error(const Json& json) {
   error.interior_false_lit = whole(json, "interior_false_lit");
   error.oracle_fraction = optional_value(json, "oracle_fraction");
   error.edge_pixels = whole(json, "edge_pixels");
+  error.boundary_pixels = json.value("boundary_pixels", uint64_t{0});
   error.boundary_fraction = number(json, "boundary_fraction");
   error.mean_absolute = number(json, "mean_absolute");
   error.flicker = optional_value(json, "flicker");
@@ -217,10 +238,17 @@ TechniqueResult read_result(const Json& json) {
     result.counters[name] =
         value.is_array() ? value.get<std::vector<double>>() : std::vector<double>{value.get<double>()};
   const Json images = json.value("images", Json::object());
+  for (const Json& frame : json.value("frames", Json::array()))
+    result.frames.push_back({whole(frame, "wrong"), number(frame, "flicker"), number(frame, "milliseconds")});
   result.image = images.value("image", std::string());
   result.mask = images.value("mask", std::string());
   result.difference = images.value("difference", std::string());
   return result;
+}
+
+ReportPath read_path(const Json& json) {
+  return {text(json, "name"),        json.at("frames").get<uint32_t>(),   number(json, "first_time"),
+          number(json, "last_time"), json.at("pictured").get<uint32_t>(), json.at("light_moves").get<bool>()};
 }
 
 Report read_report(const Json& json) {
@@ -237,6 +265,7 @@ Report read_report(const Json& json) {
   report.height = member(json, "image").at("height").get<uint32_t>();
   report.camera = read_camera(member(json, "camera"));
   report.light = read_light(member(json, "light"));
+  if (json.contains("path")) report.path = read_path(json["path"]);
   const Json& reference = member(json, "reference");
   report.reference_milliseconds = number(reference, "milliseconds");
   report.reference_lit_fraction = number(reference, "lit_fraction");
@@ -266,7 +295,7 @@ uint64_t TechniqueResult::memory_bytes() const {
 std::string to_json(const Report& report) {
   Json results = Json::array();
   for (const TechniqueResult& result : report.results) results.push_back(result_json(result));
-  const Json json = {
+  Json json = {
       {"schema", schema},
       {"scene", {{"name", report.scene_name}, {"triangles", report.triangles}, {"instances", report.instances}}},
       {"device", {{"name", report.device_name}, {"type", report.device_type}}},
@@ -280,6 +309,7 @@ std::string to_json(const Report& report) {
       {"camera_pass", {{"milliseconds", finite(report.camera_pass_milliseconds)}}},
       {"results", results},
       {"notes", report.notes}};
+  if (report.path) json["path"] = path_json(*report.path);
   // File names need not be UTF-8; JSON must be.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

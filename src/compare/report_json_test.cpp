@@ -33,9 +33,10 @@ TEST(ReportJson, KeysAndTheirOrderAreTheContract) {
   const Json& result = json["results"][0];
   EXPECT_EQ(keys(result), (Names{"technique", "spec", "error", "milliseconds", "frame_milliseconds", "memory_bytes",
                                  "memory", "counters", "images"}));
-  EXPECT_EQ(keys(result["error"]), (Names{"wrong", "compared", "image_pixels", "fraction", "match", "false_shadow",
-                                          "false_lit", "interior_false_shadow", "interior_false_lit", "oracle_fraction",
-                                          "edge_pixels", "boundary_fraction", "mean_absolute", "flicker"}));
+  EXPECT_EQ(keys(result["error"]),
+            (Names{"wrong", "compared", "image_pixels", "fraction", "match", "false_shadow", "false_lit",
+                   "interior_false_shadow", "interior_false_lit", "oracle_fraction", "edge_pixels", "boundary_pixels",
+                   "boundary_fraction", "mean_absolute", "flicker"}));
   EXPECT_EQ(keys(result["milliseconds"]), (Names{"median", "min", "max", "stages"}));
 }
 
@@ -60,6 +61,22 @@ TEST(ReportJson, ReadingBackGivesTheSameReport) {
   EXPECT_FALSE(report.results[0].error.flicker.has_value());
   EXPECT_NEAR(report.camera.fov_y, example_report().camera.fov_y, 1e-10);
   EXPECT_EQ(report.light.direction, example_report().light.direction);
+}
+
+TEST(ReportJson, APathAndItsFramesSurvive) {
+  Report report = example_report();
+  EXPECT_FALSE(from_json(to_json(report), "report.json").path.has_value());
+  report.path = ReportPath{"main", 2, 0.5, 12.25, 1, true};
+  const Report read = from_json(to_json(report), "report.json");
+  EXPECT_EQ(to_json(read), to_json(report));
+  ASSERT_TRUE(read.path.has_value());
+  EXPECT_EQ(read.path->name, "main");
+  EXPECT_EQ(read.path->frames, 2u);
+  EXPECT_EQ(read.path->last_time, 12.25);
+  EXPECT_TRUE(read.path->light_moves);
+  ASSERT_EQ(read.results[1].frames.size(), 2u);
+  EXPECT_EQ(read.results[1].frames[1].wrong, 19u);
+  EXPECT_EQ(read.results[1].frames[1].flicker, 0.01);
 }
 
 TEST(ReportJson, EveryKindOfLightSurvives) {

@@ -167,7 +167,9 @@ TEST_F(RenderTest, UpdatedSceneEqualsOneMadeAtThatTime) {
       for (size_t i = 0; i < scene.instances.size(); ++i) {
         EXPECT_EQ(updated.instance_bounds()[i].min, made.instance_bounds()[i].min);
         EXPECT_EQ(updated.instance_bounds()[i].max, made.instance_bounds()[i].max);
-        if (!moved[i]) EXPECT_EQ(updated.instance_bounds()[i].min, before[i].min);
+        if (!moved[i]) {
+          EXPECT_EQ(updated.instance_bounds()[i].min, before[i].min);
+        }
       }
     }
     EXPECT_EQ(updated.update_count(), 3u);

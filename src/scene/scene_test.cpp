@@ -1,4 +1,5 @@
 #include "shadewright/scene/scene.h"
+#include "shadewright/scene/moments.h"
 
 #include <gtest/gtest.h>
 
@@ -234,6 +235,44 @@ TEST(DropDegenerate, KeepsVerySmallAndVeryLargeTriangles) {
     for (glm::vec3& p : scene.meshes[0].positions) p *= scale;
     EXPECT_EQ(drop_degenerate_triangles(scene), 0u) << scale;
   }
+}
+
+TEST(Moments, CoverThePathFromItsFirstKeyToItsLast) {
+  CameraPath path;
+  path.times = {2, 3, 6};
+  path.keys.resize(3);
+  path.keys[2].eye = {4, 0, 0};
+  const auto moments = moments_along(path, sun(10, 20), 5);
+  ASSERT_EQ(moments.size(), 5u);
+  for (size_t i = 0; i < moments.size(); ++i) {
+    EXPECT_DOUBLE_EQ(moments[i].time, 2 + static_cast<double>(i));
+    EXPECT_EQ(moments[i].camera.eye, camera_at(path, moments[i].time).eye);
+  }
+  EXPECT_EQ(moments_along(path, sun(10, 20), 1).front().time, 2);
+  EXPECT_THROW(moments_along(CameraPath{}, sun(10, 20), 2), InputError);
+}
+
+TEST(Moments, CoverAllMotionsWithAStillCamera) {
+  Scene scene;
+  scene.motions.resize(3);
+  scene.motions[0].times = {1, 2};
+  scene.motions[1].times = {-1, 1.5};
+  Camera camera;
+  camera.eye = {1, 2, 3};
+  const auto moments = moments_of_motions(scene, camera, sun(0, 45), 4);
+  EXPECT_EQ(moments.front().time, -1);
+  EXPECT_EQ(moments.back().time, 2);
+  EXPECT_EQ(moments[2].camera.eye, camera.eye);
+  EXPECT_EQ(moments_of_motions(Scene{}, camera, sun(0, 45), 2).back().time, 0);
+}
+
+TEST(Moments, TheSunTurnsEvenly) {
+  std::vector<Moment> moments(3);
+  turn_sun(moments, {30, 40}, {50, 20});
+  EXPECT_LT(glm::distance(moments[0].light.direction, sun(30, 40).direction), 1e-12);
+  EXPECT_LT(glm::distance(moments[1].light.direction, sun(40, 30).direction), 1e-12);
+  EXPECT_LT(glm::distance(moments[2].light.direction, sun(50, 20).direction), 1e-12);
+  EXPECT_LT(glm::distance(sun_angles(sun(-130, 25)), glm::dvec2(-130, 25)), 1e-9);
 }
 
 }  // namespace

@@ -34,13 +34,20 @@ constexpr bool lit(float visibility) {
 /// 1 for points that are valid and whose normal faces the light (cosine > 0; inside the cone, for a spot).
 std::vector<uint8_t> facing_light(std::span<const SurfacePoint> points, const Light& light);
 
-/// The figures of section 6, `flicker` excepted (it needs two frames). Ratios of nothing are 0. InputError when an
-/// image's size is not width * height.
+/// The figures of section 6, `flicker` excepted (it needs two frames, see flicker.h). Ratios of nothing are 0.
+/// InputError when an image's size is not width * height.
 ///
 /// `interior_*` count wrong pixels more than 3 pixels (Euclidean) from every reference edge, except where the truth
 /// itself changes within one texel of the point: there a feature is thinner than the map resolves. `tracer` answers
 /// that at 5 x 5 points of the receiver's plane, half a texel apart and one texel to each side: position + a * texel_u
 /// + b * texel_v, with a and b in {-2, -1, 0, 1, 2} half extents.
 ErrorFigures measure_error(const MetricsInput& input, const Tracer& tracer, const Light& light);
+
+/// 1 for pixels that count as wrong, else 0.
+std::vector<uint8_t> wrong_pixels(const MetricsInput& input);
+
+/// The figures of several frames as those of one: counts are added, fractions and means are over all their pixels.
+/// No oracle_fraction unless every frame has one, and no flicker.
+ErrorFigures total(std::span<const ErrorFigures> frames);
 
 }  // namespace shadewright::compare

@@ -17,6 +17,13 @@ function describeCamera(camera) {
       + `${format.significant(camera.fov_degrees, 3)}° vertical field`;
 }
 
+function describePath(path) {
+  const seconds = (time) => format.significant(time, 3);
+  const light = path.light_moves ? ', the light moves' : '';
+  return `${format.count(path.frames)} frames from ${seconds(path.first_time)} to ${seconds(path.last_time)} s${light}; `
+      + `figures are over all of them, pictures show number ${format.count(path.pictured)}`;
+}
+
 function showFacts(report) {
   const deviceKinds = {cpu: 'software', discrete: 'discrete GPU', integrated: 'integrated GPU', virtual: 'virtual GPU'};
   byId('scene-name').textContent = report.scene.name || 'Unnamed scene';
@@ -25,13 +32,14 @@ function showFacts(report) {
       `${format.count(report.scene.instances)} instance${report.scene.instances === 1 ? '' : 's'}`],
     ['Camera', report.camera.name, describeCamera(report.camera)],
     ['Light', report.light.name, describeLight(report.light)],
+    report.path && ['Path', report.path.name || 'still camera', describePath(report.path)],
     ['Device', report.device.name, deviceKinds[report.device.type] || report.device.type],
     ['Picture', `${report.image.width} × ${report.image.height}`,
       `camera pass ${format.milliseconds(report.camera_pass.milliseconds)} ms`],
     ['Truth', `${format.share(report.reference.lit_fraction)} lit`,
       `traced in ${format.significant(report.reference.milliseconds, 3)} ms`],
   ];
-  for (const [term, main, rest] of facts) {
+  for (const [term, main, rest] of facts.filter(Boolean)) {
     const lines = [main, rest].filter(Boolean);
     byId('facts').append(element('div', {}, element('dt', {}, term),
         element('dd', {}, ...lines.map((line, i) => element(i === 0 ? 'strong' : 'span', {}, line)))));

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <set>
 #include <system_error>
 
+#include "shadewright/compare/path_study.h"
 #include "shadewright/compare/study.h"
 #include "shadewright/error.h"
 #include "shadewright/files.h"
@@ -20,39 +20,111 @@ std::string unique_stem(std::string_view spec, std::set<std::string>& taken) {
   return unique;
 }
 
-}  // namespace
-
-Report compare_techniques(Study& study, std::span<const shadow::Spec> specs, const std::filesystem::path& folder,
-                          const Report* before, const Progress& progress) {
+void make_folder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error)
     throw FailureError(folder.string(), "can't be made (" + error.message() + ")", "choose another place with -o");
-  Report report = study.report();
-  const auto write = [&](const Picture& picture, std::string name) {
-    write_png(picture, folder / name);
-    return name;
-  };
-  const std::vector<float> truth(study.reference().begin(), study.reference().end());
-  report.reference_image = write(render::to_picture(study.shade(truth), report.width, report.height), "reference.png");
-  report.reference_mask = write(render::to_picture(truth, report.width, report.height), "reference-mask.png");
+}
 
-  std::set<std::string> stems{"reference"};
-  for (size_t i = 0; i < specs.size(); ++i) {
-    progress(specs[i].text, static_cast<double>(i) / static_cast<double>(specs.size()));
-    Outcome outcome = study.run(specs[i]);
-    const std::string stem = unique_stem(specs[i].text, stems);
-    outcome.result.image =
-        write(render::to_picture(study.shade(outcome.visibility), report.width, report.height), stem + ".png");
-    outcome.result.mask =
-        write(render::to_picture(outcome.visibility, report.width, report.height), stem + "-mask.png");
-    outcome.result.difference = write(outcome.difference, stem + "-difference.png");
-    report.results.push_back(std::move(outcome.result));
+/// A stem a spec, in their order; none is "reference".
+std::vector<std::string> file_stems(std::span<const shadow::Spec> specs) {
+  std::set<std::string> taken{"reference"};
+  std::vector<std::string> stems;
+  for (const shadow::Spec& spec : specs) stems.push_back(unique_stem(spec.text, taken));
+  return stems;
+}
+
+/// Writes the pictures of one view into a folder: of a study (Study or PathStudy) as it stands.
+template <typename AnyStudy>
+class PictureWriter {
+ public:
+  PictureWriter(const AnyStudy& study, uint32_t width, uint32_t height, std::filesystem::path folder)
+      : study_(study), width_(width), height_(height), folder_(std::move(folder)) {}
+
+  std::string lit(std::span<const float> visibility, std::string name) const {
+    return write(render::to_picture(study_.shade(visibility), width_, height_), std::move(name));
   }
+  void truth(Report& report) const {
+    const std::vector<float> visibility = truth_visibility();
+    report.reference_image = lit(visibility, "reference.png");
+    report.reference_mask = write(render::to_picture(visibility, width_, height_), "reference-mask.png");
+  }
+  void technique(const Outcome& outcome, const std::string& stem, TechniqueResult& result) const {
+    result.image = lit(outcome.visibility, stem + ".png");
+    result.mask = write(render::to_picture(outcome.visibility, width_, height_), stem + "-mask.png");
+    result.difference = write(outcome.difference, stem + "-difference.png");
+  }
+  std::vector<float> truth_visibility() const { return {study_.reference().begin(), study_.reference().end()}; }
+
+ private:
+  std::string write(const Picture& picture, std::string name) const {
+    write_png(picture, folder_ / name);
+    return name;
+  }
+
+  const AnyStudy& study_;
+  uint32_t width_, height_;
+  std::filesystem::path folder_;
+};
+
+void write_report(const Report& report, const std::filesystem::path& folder, const Report* before,
+                  const Progress& progress) {
   progress("report", 1);
   write_file(folder / "report.json", to_json(report));
   write_file(folder / "report.csv", to_csv(report));
   write_file(folder / "index.html", to_html(report, folder, before));
+}
+
+}  // namespace
+
+Report compare_techniques(Study& study, std::span<const shadow::Spec> specs, const std::filesystem::path& folder,
+                          const Report* before, const Progress& progress) {
+  make_folder(folder);
+  Report report = study.report();
+  const PictureWriter pictures(study, report.width, report.height, folder);
+  pictures.truth(report);
+  const std::vector<std::string> stems = file_stems(specs);
+  for (size_t i = 0; i < specs.size(); ++i) {
+    progress(specs[i].text, static_cast<double>(i) / static_cast<double>(specs.size()));
+    Outcome outcome = study.run(specs[i]);
+    pictures.technique(outcome, stems[i], outcome.result);
+    report.results.push_back(std::move(outcome.result));
+  }
+  write_report(report, folder, before, progress);
+  return report;
+}
+
+Report compare_along_path(PathStudy& study, std::span<const shadow::Spec> specs, const std::filesystem::path& folder,
+                          bool every_frame, const Report* before, const Progress& progress) {
+  make_folder(folder);
+  const std::vector<std::string> stems = file_stems(specs);
+  const PictureWriter pictures(study, study.options().width, study.options().height, folder);
+  if (every_frame) {
+    make_folder(folder / "reference-frames");
+    for (const std::string& stem : stems) make_folder(folder / (stem + "-frames"));
+  }
+  Report named;  // holds the pictures' names until there is the report
+  named.results.resize(specs.size());
+  const auto watch = [&](uint32_t frame, std::span<const Outcome> outcomes) {
+    if (every_frame) {
+      const std::string name = fmt::format("-frames/{:04}.png", frame);
+      pictures.lit(pictures.truth_visibility(), "reference" + name);
+      for (size_t i = 0; i < stems.size(); ++i) pictures.lit(outcomes[i].visibility, stems[i] + name);
+    }
+    if (frame != study.pictured_frame()) return;
+    pictures.truth(named);
+    for (size_t i = 0; i < stems.size(); ++i) pictures.technique(outcomes[i], stems[i], named.results[i]);
+  };
+  Report report = study.run(specs, {}, watch, progress);
+  report.reference_image = named.reference_image;
+  report.reference_mask = named.reference_mask;
+  for (size_t i = 0; i < stems.size(); ++i) {
+    report.results[i].image = named.results[i].image;
+    report.results[i].mask = named.results[i].mask;
+    report.results[i].difference = named.results[i].difference;
+  }
+  write_report(report, folder, before, progress);
   return report;
 }
 
