@@ -187,7 +187,7 @@ TEST_F(RenderTest, FiltersDrawMovingOrUnmovingInstances) {
   gpu::Image depth(device(), {"depth", vk::Format::eD32Sfloat, width, height, 1,
                               vk::ImageUsageFlagBits::eDepthStencilAttachment | vk::ImageUsageFlagBits::eTransferSrc});
   gpu::Buffer camera(device(), "camera", sizeof(shared::CameraData), gpu::HostAccess::write);
-  const Camera& eye = scene.cameras.front();
+  const Camera& eye = find_camera(scene, "overview");
   const CameraView view = make_view(eye, near_distance(scene, eye), width, height);
   camera.mapped<shared::CameraData>()[0] = camera_data(view);
   gpu::GraphicsDesc desc;
@@ -207,7 +207,9 @@ TEST_F(RenderTest, FiltersDrawMovingOrUnmovingInstances) {
                                                vk::AttachmentLoadOp::eClear, vk::AttachmentStoreOp::eStore,
                                                vk::ClearDepthStencilValue(0, 0));
       const vk::Rect2D area({0, 0}, depth.extent());
-      commands.beginRendering({{}, area, 1, 0, {}, &target});
+      vk::RenderingInfo rendering({}, area, 1);
+      rendering.pDepthAttachment = &target;
+      commands.beginRendering(rendering);
       commands.setViewport(0, vk::Viewport(0, 0, width, height, 0, 1));
       commands.setScissor(0, area);
       const gpu::Binding bindings[] = {gpu::Binding::storage(scene_gpu.triangle_normals()),
