@@ -73,7 +73,8 @@ void run(Flags flags) {
     flags.options.bounds->max -= loaded.scene.origin;
   }
   const voxel::BakeResult result = voxel::bake(loaded.scene, light, flags.options, progress);
-  voxel::save(result.shadow, flags.output, {flags.compress}, progress);
+  // Points are asked for in the file's coordinates, whatever the scene was moved by.
+  voxel::save(result.shadow.moved(loaded.scene.origin), flags.output, {flags.compress}, progress);
   if (!flags.json.empty()) write_text(to_json(result, flags.output).dump(2) + "\n", flags.json);
   if (flags.quiet) return;
 

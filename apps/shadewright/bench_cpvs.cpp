@@ -1,4 +1,5 @@
-// The tables of "Compact Precomputed Voxelized Shadows" (2014) that need no GPU: figure 9, build times, look-up ratios.
+// The tables of "Compact Precomputed Voxelized Shadows" (2014). Here what needs no device: figure 9, build times,
+// look-up ratios; bench_cpvs_device.cpp has the rest.
 
 #include <fmt/format.h>
 
@@ -6,6 +7,7 @@
 #include <chrono>
 
 #include "bench.h"
+#include "bench_cpvs_device.h"
 #include "shadewright/compare/metrics.h"
 #include "shadewright/raytrace/tracer.h"
 #include "shadewright/scene/builtin.h"
@@ -225,6 +227,7 @@ std::vector<BenchTable> bench_cpvs(Bench& bench) {
     lookup_rows(bench.options(), name, speed, truth, bench.progress());
   tables.push_back(std::move(speed));
   tables.push_back(std::move(truth));
+  for (BenchTable& table : cpvs_device_tables(bench)) tables.push_back(std::move(table));
   return tables;
 }
 

@@ -30,7 +30,8 @@ void check_image_name(const std::string& flag, const std::string& name, bool exr
 
 void list_debug_images(const shadow::Spec& spec, const SceneFlags& flags) {
   const gpu::Device device(device_options(flags));
-  for (const std::string& name : shadow::make_technique(device, spec, {16, 16, 1, true})->debug_names())
+  const Scene no_scene;
+  for (const std::string& name : shadow::make_technique(device, spec, {16, 16, 1, true, &no_scene})->debug_names())
     fmt::print("{}\n", name);
 }
 

@@ -72,6 +72,7 @@ void visit_features(DeviceFeatures& f, Visitor visit) {
   visit("shaderDrawParameters", f.vulkan11.shaderDrawParameters);
   visit("scalarBlockLayout", f.vulkan12.scalarBlockLayout);
   visit("drawIndirectCount", f.vulkan12.drawIndirectCount);
+  visit("bufferDeviceAddress", f.vulkan12.bufferDeviceAddress);
   visit("dynamicRendering", f.vulkan13.dynamicRendering);
   visit("synchronization2", f.vulkan13.synchronization2);
   visit("maintenance4", f.vulkan13.maintenance4);  // work group sizes as glslc writes them
@@ -240,6 +241,8 @@ Device::Device(const DeviceOptions& options) : context_(make_context()), message
   const auto extensions = required_extensions();
   DeviceFeatures features;
   required_features(features);
+  double_precision_ = physical_.getFeatures().shaderFloat64 == VK_TRUE;
+  features.core.features.shaderFloat64 = double_precision_;
   vk::DeviceCreateInfo device_info({}, queue_info, {}, extensions);
   device_info.pNext = &features.core;
   device_ = vk::raii::Device(physical_, device_info);
@@ -263,6 +266,7 @@ Device::Device(const AdoptedDevice& handles, Unchecked)
     : context_(make_context()),
       messages_(std::make_unique<Messages>()),
       owned_(false),
+      double_precision_(handles.double_precision),
       instance_(context_, handles.instance),
       physical_(instance_, handles.physical_device),
       device_(physical_, handles.device),

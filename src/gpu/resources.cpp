@@ -11,9 +11,12 @@ namespace shadewright::gpu {
 namespace {
 
 vk::raii::DeviceMemory allocate(const Device& device, const std::string& name, const vk::MemoryRequirements& needs,
-                                vk::MemoryPropertyFlags wanted) {
+                                vk::MemoryPropertyFlags wanted, vk::MemoryAllocateFlags flags = {}) {
   try {
-    return vk::raii::DeviceMemory(device.handle(), {needs.size, device.memory_type(needs.memoryTypeBits, wanted)});
+    const vk::MemoryAllocateFlagsInfo flags_info(flags);
+    vk::MemoryAllocateInfo info(needs.size, device.memory_type(needs.memoryTypeBits, wanted));
+    if (flags) info.pNext = &flags_info;
+    return vk::raii::DeviceMemory(device.handle(), info);
   } catch (const vk::OutOfDeviceMemoryError&) {
   } catch (const vk::OutOfHostMemoryError&) {
   }
@@ -31,14 +34,19 @@ Buffer::Buffer(const Device& device, std::string name, uint64_t bytes, HostAcces
     : name_(std::move(name)), size_((std::max<uint64_t>(bytes, 16) + 15) & ~uint64_t{15}) {
   using Usage = vk::BufferUsageFlagBits;
   const auto usage = Usage::eStorageBuffer | Usage::eTransferSrc | Usage::eTransferDst | Usage::eVertexBuffer |
-                     Usage::eIndexBuffer | Usage::eIndirectBuffer | Usage::eUniformBuffer;
+                     Usage::eIndexBuffer | Usage::eIndirectBuffer | Usage::eUniformBuffer | Usage::eShaderDeviceAddress;
   buffer_ = vk::raii::Buffer(device.handle(), {{}, size_, usage, vk::SharingMode::eExclusive});
   using Property = vk::MemoryPropertyFlagBits;
   const vk::MemoryPropertyFlags wanted = access == HostAccess::none ? vk::MemoryPropertyFlags(Property::eDeviceLocal)
                                                                     : Property::eHostVisible | Property::eHostCoherent;
-  memory_ = allocate(device, name_, buffer_.getMemoryRequirements(), wanted);
+  memory_ =
+      allocate(device, name_, buffer_.getMemoryRequirements(), wanted, vk::MemoryAllocateFlagBits::eDeviceAddress);
   buffer_.bindMemory(*memory_, 0);
   if (access != HostAccess::none) mapped_ = memory_.mapMemory(0, VK_WHOLE_SIZE);
+}
+
+uint64_t Buffer::device_address(const Device& device) const {
+  return device.handle().getBufferAddress({*buffer_});
 }
 
 Image::Image(const Device& device, const ImageDesc& desc) : desc_(desc), aspect_(aspect_of(desc.format)) {
@@ -110,6 +118,18 @@ void upload(const Device& device, const Buffer& buffer, std::span<const std::byt
       commands.copyBuffer(staging.handle(), buffer.handle(), vk::BufferCopy(0, offset, bytes));
     });
   }
+}
+
+void upload(const Device& device, Image& image, std::span<const std::byte> data) {
+  const Buffer staging(device, "staging", data.size(), HostAccess::write);
+  std::memcpy(staging.mapped<std::byte>().data(), data.data(), data.size());
+  submit_and_wait(device, [&](const auto& commands) {
+    image.transition(commands, vk::ImageLayout::eTransferDstOptimal, true);
+    const vk::BufferImageCopy region(0, 0, 0, {image.aspect(), 0, 0, 1}, {},
+                                     {image.desc().width, image.desc().height, 1});
+    commands.copyBufferToImage(staging.handle(), image.handle(), vk::ImageLayout::eTransferDstOptimal, region);
+    image.transition(commands, vk::ImageLayout::eShaderReadOnlyOptimal);
+  });
 }
 
 std::vector<std::byte> read_back(const Device& device, const Buffer& buffer, uint64_t bytes) {

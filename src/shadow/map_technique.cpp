@@ -5,6 +5,7 @@
 
 #include "render/shared.h"
 #include "shadewright/error.h"
+#include "shadow/lookup_data.h"
 #include "shadow/lookup_shaders.h"
 #include "shadow/parts.h"
 #include "shadow/shared.h"
@@ -35,17 +36,6 @@ float slope_unit(const glm::dmat4& world_from_map, const MapExtent& extent) {
   const double depth = step({0, 0, texel.z}) / texel.z;
   const double w = std::abs((world_from_map * glm::dvec4(middle, 1.0)).w);
   return static_cast<float>(width / (depth * w));
-}
-
-uint32_t light_kind(LightKind kind) {
-  switch (kind) {
-    case LightKind::spot:
-      return shared::light_spot;
-    case LightKind::point:
-      return shared::light_point;
-    default:
-      return shared::light_directional;
-  }
 }
 
 }  // namespace
@@ -139,12 +129,7 @@ void MapTechnique::write_constants(const Frame& frame) {
     mapped[v] = {glm::mat4(map_from_world), glm::mat4(world_from_map), views[v].drawn ? 1u : 0u,
                  slope_unit(world_from_map, extent)};
   }
-  shared::LookupData lookup{};
-  lookup.light_position = glm::vec3(frame.light.position);
-  lookup.light_direction = glm::vec3(frame.light.direction);
-  lookup.light_cos_outer = static_cast<float>(std::cos(frame.light.outer_angle));
-  lookup.light_kind = light_kind(frame.light.kind);
-  lookup.eye = glm::vec3(frame.camera.eye());
+  shared::LookupData lookup = lookup_data(frame);
   lookup.bias_scale = static_cast<float>(spec_.number("bias"));
   lookup.map_size = glm::vec2(extent.width, extent.height);
   if (spec_.takes("radius")) {

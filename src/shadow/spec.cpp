@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -58,9 +59,23 @@ const std::vector<SpecKey>& all_keys() {
                  "by the fifth power, or 8 bits linear in the angle"),
       choice_key("recovery", "subpixel", {"on", "off"},
                  "off: receivers that neither their texel nor its neighbours decide are lit"),
-      whole_key("radius", "pcf", 0, 7, "1", "the filter's box reaches this many texels to each side"),
+      whole_key("radius", "pcf", 0, 8, "1", "the filter's box reaches this many texels to each side"),
       number_key("width", "pcf", 0, 1000, "0",
                  "the filter's whole width in metres, the same at every resolution; 0 = use radius"),
+      choice_key("taps", "precomputed", {"1", "3", "5", "7", "9", "11", "13", "15", "17"},
+                 "the filter averages this many voxels along x and y"),
+      choice_key("far", "precomputed", {"none", "mraa", "voaa"},
+                 "receivers whose pixel is wider than the filter: no more, coarser DAGs, or occupancy"),
+      {SpecKey::Kind::file, "file", "precomputed", {}, 0, 0, "", "a baked .cpvs file; without it the scene is baked"},
+      {SpecKey::Kind::spec, "dynamic", "precomputed", {}, 0, 0, "", "the map technique that draws what moves"},
+      choice_key("closed", "precomputed", {"auto", "all", "none"}, "bake: whose inside may be left undefined"),
+      choice_key("static", "precomputed", {"0", "1"}, "bake: 1 = nothing that moves receives, smaller"),
+      choice_key("order", "precomputed", {"best", "fixed"},
+                 "a filter's leaves in the order with the shortest ways back, or always x first"),
+      choice_key("access", "precomputed", {"auto", "windows", "image", "address"},
+                 "how the device reads the DAG: storage windows, an image, a buffer's address"),
+      choice_key("precision", "precomputed", {"auto", "float", "double"},
+                 "of the receiver's voxel: double is exact, and fast on a CPU device"),
   };
   return keys;
 }
@@ -203,6 +218,27 @@ void parse_key(Spec& spec, std::string_view item, std::set<std::string_view>& se
   if (value != key->default_value) spec.values.emplace(name, value);
 }
 
+/// The resolution of a precomputed spec, and what its keys exclude.
+void parse_precomputed(Spec& spec, std::optional<std::string_view> resolution) {
+  const Resolutions allowed = resolutions(spec.parameterization);
+  const bool from_file = !spec.choice("file").empty();
+  if (resolution)
+    spec.resolution = parse_resolution(spec.text, *resolution, allowed);
+  else if (!from_file)
+    spec.resolution = allowed.standard;
+  if (!std::has_single_bit(spec.resolution) && spec.resolution != 0)
+    throw InputError(fmt::format("spec '{}'", spec.text),
+                     fmt::format("resolution {} is not a power of two", spec.resolution),
+                     fmt::format("write {}", std::bit_ceil(spec.resolution)));
+  if (const auto dynamic = spec.nested("dynamic"); dynamic && dynamic->storage.empty())
+    throw InputError(fmt::format("spec '{}'", spec.text), "dynamic is not a map technique",
+                     "write dynamic=(cascaded@2048)");
+  for (const char* key : {"closed", "static"})
+    if (from_file && spec.values.contains(key))
+      throw InputError(fmt::format("spec '{}'", spec.text),
+                       fmt::format("{} says how to bake, but the file is baked", key), "leave it out");
+}
+
 /// Replaces an alias at the start of `text` ("pcf@512" -> "uniform/depth/pcf@512"; an alias's own keys go last).
 std::string expand_alias(std::string_view text) {
   const size_t end = std::min({text.find('@'), text.find(','), text.find('/'), text.size()});
@@ -239,12 +275,20 @@ Spec parse_spec(std::string_view text) {
   }
   const auto axes = split(head, '/');
   spec.parameterization = axes[0];
-  if (spec.parameterization == "precomputed")
-    throw InputError(subject, "precomputed shadows in the frame are not built yet",
-                     "use 'shadewright bake' and 'query'");
   if (spec.parameterization == "ray") {
     if (axes.size() > 1 || resolution || items.size() > 1)
       throw InputError(subject, "'ray' takes neither parts nor resolution nor keys", "write ray");
+    return spec;
+  }
+  std::set<std::string_view> seen;
+  const auto parse_keys = [&] {
+    for (size_t i = 1; i < items.size(); ++i) parse_key(spec, items[i], seen);
+  };
+  if (spec.parameterization == "precomputed") {
+    if (axes.size() > 1)
+      throw InputError(subject, "'precomputed' has neither storage nor filter", "write precomputed@16384,taps=9");
+    parse_keys();
+    parse_precomputed(spec, resolution);
     return spec;
   }
   if (axes.size() > 3) throw InputError(subject, "it has more than parameterization/storage/filter", example);
@@ -263,14 +307,14 @@ Spec parse_spec(std::string_view text) {
   check_combination(spec);
   const Resolutions allowed = resolutions(spec.parameterization);
   spec.resolution = resolution ? parse_resolution(spec.text, *resolution, allowed) : allowed.standard;
-  std::set<std::string_view> seen;
-  for (size_t i = 1; i < items.size(); ++i) parse_key(spec, items[i], seen);
+  parse_keys();
   return spec;
 }
 
 std::string Spec::canonical() const {
-  if (storage.empty()) return parameterization;
-  std::string result = fmt::format("{}/{}/{}@{}", parameterization, storage, filter, resolution);
+  std::string result = parameterization;
+  if (!storage.empty()) result += fmt::format("/{}/{}", storage, filter);
+  if (resolution != 0) result += fmt::format("@{}", resolution);
   for (const auto& [key, value] : values) result += fmt::format(",{}={}", key, value);
   return result;
 }
@@ -281,6 +325,12 @@ double Spec::number(std::string_view key) const {
 
 std::string Spec::choice(std::string_view key) const {
   return value_of(*this, key);
+}
+
+std::optional<Spec> Spec::nested(std::string_view key) const {
+  const std::string& value = value_of(*this, key);
+  if (value.empty()) return std::nullopt;
+  return parse_spec(std::string_view(value).substr(1, value.size() - 2));
 }
 
 bool Spec::takes(std::string_view key) const {

@@ -28,6 +28,10 @@ TEST(SpecTest, WritesAliasesOut) {
   EXPECT_EQ(parse_spec("pcf,width=0.2,radius=3").canonical(), "uniform/depth/pcf@2048,radius=3,width=0.2");
   EXPECT_EQ(parse_spec("sm,bias=1,fit=view").canonical(), "uniform/depth/hard@2048");
   EXPECT_EQ(parse_spec("ray").canonical(), "ray");
+  EXPECT_EQ(parse_spec("cpvs").canonical(), "precomputed@16384");
+  EXPECT_EQ(parse_spec("cpvs,file=sun.cpvs").canonical(), "precomputed,file=sun.cpvs");
+  EXPECT_EQ(parse_spec("cpvs@65536,taps=9,dynamic=(pcf@1024,radius=2)").canonical(),
+            "precomputed@65536,dynamic=(pcf@1024,radius=2),taps=9");
 }
 
 TEST(SpecTest, CanonicalFormsParseToThemselves) {
@@ -52,12 +56,20 @@ TEST(SpecTest, RefusesWithAReason) {
   EXPECT_NE(refusal("sm,bias=1,bias=2").find("twice"), std::string::npos);
   EXPECT_NE(refusal("sm,bias=nan").find("out of range"), std::string::npos);
   EXPECT_NE(refusal("ray@5").find("neither"), std::string::npos);
+  EXPECT_NE(refusal("cpvs@1000").find("power of two"), std::string::npos);
+  EXPECT_NE(refusal("cpvs,taps=4").find("one of 1, 3"), std::string::npos);
+  EXPECT_NE(refusal("cpvs,bias=2").find("belongs to 'map'"), std::string::npos);
+  EXPECT_NE(refusal("cpvs,dynamic=sm").find("in parentheses"), std::string::npos);
+  EXPECT_NE(refusal("cpvs,dynamic=(smm)").find("no technique"), std::string::npos);
+  EXPECT_NE(refusal("cpvs,dynamic=(ray)").find("map technique"), std::string::npos);
+  EXPECT_NE(refusal("cpvs,file=a.cpvs,static=1").find("is baked"), std::string::npos);
+  EXPECT_NE(refusal("precomputed/depth").find("neither"), std::string::npos);
   EXPECT_NE(refusal("uniform/depth/aa").find("makes no sense"), std::string::npos);
   EXPECT_NE(refusal("uniform/depth/trilinear").find("only paged maps"), std::string::npos);
 }
 
 TEST(SpecTest, RefusesUnbuiltPartsByName) {
-  for (const char* text : {"psm", "csm", "vsm", "rtw", "rgsm", "rmsm", "asm", "cpvs"})
+  for (const char* text : {"psm", "csm", "vsm", "rtw", "rgsm", "rmsm", "asm"})
     EXPECT_NE(refusal(text).find("not built yet"), std::string::npos) << text << ": " << refusal(text);
 }
 

@@ -4,6 +4,7 @@
 
 #include "shadewright/error.h"
 #include "shadow/map_technique.h"
+#include "shadow/precomputed/precomputed.h"
 
 namespace shadewright::shadow {
 
@@ -24,6 +25,7 @@ std::unique_ptr<Technique> make_technique(const gpu::Device& device, const Spec&
                      "give the camera's size");
   if (spec.parameterization == "ray")
     throw InputError(spec.text, "the ray-traced reference is not drawn on the device", "use shadewright::Tracer");
+  if (spec.parameterization == "precomputed") return std::make_unique<Precomputed>(device, spec, options);
   return std::make_unique<MapTechnique>(device, spec, options);
 }
 

@@ -227,11 +227,9 @@ ReceiverMap receiver_map(const LightGrid& light, uint32_t taps) {
   ReceiverMap map;
   map.spot = light.kind == LightKind::spot;
   const double slack = 1.0 / 32;  // as LightGrid::receiver_offset
-  const double depth =
-      map.spot ? (light.far - light.near) / (light.far * light.near) / light.depth() : light.voxel_depth;
   map.reach_x = (0.5 * taps + slack) * light.texel_size.x;
   map.reach_y = (0.5 * taps + slack) * light.texel_size.y;
-  map.reach_z = (0.5 + slack) * depth;
+  map.reach_z = (0.5 + slack) * light.depth_at_unit_distance();
   for (int row = 0; row < 4; ++row)
     for (int column = 0; column < 4; ++column)
       map.voxel[size_t(row)][size_t(column)] = light.voxel_from_world[column][row];

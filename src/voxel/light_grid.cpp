@@ -9,6 +9,19 @@ namespace {
 constexpr double kSlack = 1.0 / 32;
 }  // namespace
 
+glm::dvec3 LightGrid::position() const {
+  // There x, y and w are all zero.
+  const auto row = [&](int r) {
+    return glm::dvec3(voxel_from_world[0][r], voxel_from_world[1][r], voxel_from_world[2][r]);
+  };
+  const glm::dmat3 rows = glm::transpose(glm::dmat3(row(0), row(1), row(3)));
+  return glm::inverse(rows) * -glm::dvec3(voxel_from_world[3][0], voxel_from_world[3][1], voxel_from_world[3][3]);
+}
+
+double LightGrid::depth_at_unit_distance() const {
+  return kind == LightKind::spot ? (far - near) / (far * near) / depth() : voxel_depth;
+}
+
 glm::dvec3 LightGrid::voxel(const glm::dvec3& world) const {
   const glm::dvec4 point = voxel_from_world * glm::dvec4(world, 1.0);
   return glm::dvec3(point) / point.w;
@@ -18,7 +31,7 @@ glm::dvec3 LightGrid::voxel_extent(const glm::dvec3& world) const {
   if (kind == LightKind::directional) return {texel_size.x, texel_size.y, voxel_depth};
   // z = far (w - near) / ((far - near) w), hence dw/dz = w² (far - near) / (far near).
   const double w = (voxel_from_world * glm::dvec4(world, 1.0)).w;
-  return {texel_size.x * w, texel_size.y * w, w * w * (far - near) / (far * near) / double(depth())};
+  return {texel_size.x * w, texel_size.y * w, w * w * depth_at_unit_distance()};
 }
 
 double LightGrid::receiver_offset(const glm::dvec3& world, const glm::dvec3& normal, uint32_t taps) const {
@@ -30,8 +43,13 @@ double LightGrid::receiver_offset(const glm::dvec3& world, const glm::dvec3& nor
 
 glm::dvec3 LightGrid::receiver_voxel(const glm::dvec3& world, const glm::dvec3& normal, uint32_t taps) const {
   const bool unknown = normal == glm::dvec3(0.0);
-  const glm::dvec3 towards_light = -glm::transpose(light_from_world)[2];
-  return voxel(world + (unknown ? towards_light : normal) * receiver_offset(world, normal, taps));
+  return voxel(world + (unknown ? -direction() : normal) * receiver_offset(world, normal, taps));
+}
+
+LightGrid LightGrid::moved(const glm::dvec3& by) const {
+  LightGrid result = *this;
+  result.voxel_from_world[3] -= voxel_from_world * glm::dvec4(by, 0.0);
+  return result;
 }
 
 LightGrid LightGrid::halved() const {

@@ -116,6 +116,25 @@ TEST(Lookup, BatchIsTheFilterAtTheMovedReceiver) {
   }
 }
 
+TEST(Lookup, AMovedWorldHasTheSameShadow) {
+  const uint32_t seed = std::random_device{}();
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
+  const VoxelShadow shadow = bake_depth_map(random_map(random, 0.0f, 1.0f), {}, unit_grid(), 5);
+  const VoxelShadow moved = shadow.moved({8, -4, 16});
+  std::uniform_real_distribution<float> unit(0.0f, 1.0f);
+  std::vector<SurfacePoint> points(500), moved_points;
+  for (SurfacePoint& point : points) point = {glm::vec3(unit(random), unit(random), unit(random)), glm::vec3(0, 1, 0)};
+  // On the moved points' own steps, so that moving them back loses nothing.
+  for (SurfacePoint& point : points) point.position = glm::round(point.position * 65536.0f) / 65536.0f;
+  for (const SurfacePoint& point : points)
+    moved_points.push_back({point.position + glm::vec3(8, -4, 16), point.normal});
+  std::vector<float> here(points.size()), there(points.size());
+  shadow.visibility(points, 3, here);
+  moved.visibility(moved_points, 3, there);
+  EXPECT_EQ(here, there);
+}
+
 TEST(Lookup, RefusesFiltersThatWereNotBaked) {
   const std::vector<float> depth(size_t(kSize) * kSize, 0.5f);
   const VoxelShadow shadow = bake_depth_map(depth, {}, unit_grid(), 5);

@@ -18,6 +18,12 @@ VoxelShadow::VoxelShadow(const ShadowProperties& properties, std::vector<DagView
       level_starts_(std::move(level_starts)),
       owner_(std::move(owner)) {}
 
+VoxelShadow VoxelShadow::moved(const glm::dvec3& by) const {
+  VoxelShadow result = *this;
+  result.properties_.light = light().moved(by);
+  return result;
+}
+
 uint64_t VoxelShadow::dag_bytes() const {
   uint64_t bytes = 0;
   for (const DagView& dag : dags_) bytes += dag.nodes.size_bytes() + dag.leaves.size_bytes();

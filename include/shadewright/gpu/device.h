@@ -41,6 +41,7 @@ struct AdoptedDevice {
   VkDevice device = VK_NULL_HANDLE;
   VkQueue queue = VK_NULL_HANDLE;
   uint32_t queue_family = 0;
+  bool double_precision = false;  ///< the device was created with shaderFloat64
 };
 
 /// The chain of feature structures to create a VkDevice with; not movable, as the chain points into itself.
@@ -91,6 +92,8 @@ class Device {
   const DeviceInfo& info() const { return info_; }
   /// True where timestamps are not to be trusted and stages are timed by their own submission (a CPU device).
   bool is_cpu() const { return info_.type == DeviceType::cpu; }
+  /// True where shaders may use 64-bit floats.
+  bool has_double_precision() const { return double_precision_; }
   double nanoseconds_per_tick() const { return nanoseconds_per_tick_; }
 
   /// Index of a memory type among `type_bits` that has `wanted`. FailureError when there is none.
@@ -107,6 +110,7 @@ class Device {
   vk::raii::Context context_;
   std::unique_ptr<Messages> messages_;
   bool owned_ = true;
+  bool double_precision_ = false;
   vk::raii::Instance instance_{nullptr};
   vk::raii::DebugUtilsMessengerEXT messenger_{nullptr};
   vk::raii::PhysicalDevice physical_{nullptr};

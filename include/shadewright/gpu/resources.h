@@ -16,7 +16,8 @@ namespace shadewright::gpu {
 
 enum class HostAccess { none, write, read };
 
-/// A buffer with memory of its own. Storage, transfer, vertex, index, indirect and uniform use are always allowed.
+/// A buffer with memory of its own. Storage, transfer, vertex, index, indirect, uniform and address use are always
+/// allowed.
 class Buffer {
  public:
   Buffer() = default;
@@ -28,6 +29,8 @@ class Buffer {
   const std::string& name() const { return name_; }
   Allocation allocation() const { return {name_, size_}; }
   explicit operator bool() const { return size_ != 0; }
+  /// For shaders with buffer references.
+  uint64_t device_address(const Device& device) const;
 
   /// The mapped bytes seen as T (host access only).
   template <typename T>
@@ -89,6 +92,9 @@ void memory_barrier(const vk::raii::CommandBuffer& commands);
 
 /// Copies `data` to the start of a device-local `buffer` through a staging buffer, and waits.
 void upload(const Device& device, const Buffer& buffer, std::span<const std::byte> data);
+
+/// Fills the first layer of `image` with tightly packed rows, and waits. Leaves it in shader-read layout.
+void upload(const Device& device, Image& image, std::span<const std::byte> data);
 
 template <typename T>
 Buffer make_buffer(const Device& device, std::string name, std::span<const T> data) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -24,6 +25,8 @@ struct Spec {
   /// The value of `key`, or its default. Logic error for an unknown key or another type.
   double number(std::string_view key) const;
   std::string choice(std::string_view key) const;
+  /// The spec in parentheses that is the key's value; nothing where there is none.
+  std::optional<Spec> nested(std::string_view key) const;
   /// True if this technique takes the key at all.
   bool takes(std::string_view key) const;
 };

@@ -13,6 +13,7 @@
 
 #include "shadewright/gpu/recorder.h"
 #include "shadewright/gpu/resources.h"
+#include "shadewright/progress.h"
 #include "shadewright/render/camera_pass.h"
 #include "shadewright/render/image.h"
 #include "shadewright/render/scene_gpu.h"
@@ -49,6 +50,7 @@ struct Frame {
   const render::SceneGpu* scene = nullptr;  ///< casters and bounds; may be null when `draw_casters` draws them all
   CasterCallback draw_casters;              ///< casters of the caller's own, in addition
   Box draw_bounds;                          ///< world bounds of those
+  render::InstanceFilter casters = render::InstanceFilter::all;  ///< which of the scene's instances cast
   render::CameraView camera;
   vk::ImageView depth;   ///< the camera's depth (D32), in shader-read layout
   vk::ImageView normal;  ///< geometric world normals towards the camera, octahedral (RG16 snorm), in shader-read layout
@@ -59,7 +61,9 @@ struct Frame {
 struct TechniqueOptions {
   uint32_t width = 0, height = 0;  ///< of the camera's buffers and the visibility image, pixels
   uint32_t frames_in_flight = 2;
-  bool allow_readback = true;  ///< false: techniques that would wait for the device in `prepare` are refused
+  bool allow_readback = true;       ///< false: techniques that would wait for the device in `prepare` are refused
+  const Scene* scene = nullptr;     ///< what precomputed shadows are baked from
+  Progress progress = no_progress;  ///< of a bake
 };
 
 /// Named results of a frame: one number or several ("effective_resolution": 2048, 2048).

@@ -26,6 +26,13 @@ struct LightGrid {
   uint32_t size() const { return 1u << log2_size; }
   uint32_t depth() const { return 1u << log2_depth; }
 
+  /// The way light travels (a spot: along its axis), world space, unit length.
+  glm::dvec3 direction() const { return glm::transpose(light_from_world)[2]; }
+  /// Where a spot light stands, world space.
+  glm::dvec3 position() const;
+  /// Metres of a voxel in z; of a spot, at distance 1 along its axis, growing with the distance's square.
+  double depth_at_unit_distance() const;
+
   /// Voxel coordinates of a world point (not finite, or w <= 0, for points beside or behind a spot light).
   glm::dvec3 voxel(const glm::dvec3& world) const;
   /// World extents of a voxel at a world point, metres.
@@ -36,6 +43,8 @@ struct LightGrid {
   double receiver_offset(const glm::dvec3& world, const glm::dvec3& normal, uint32_t taps) const;
   /// `world` moved by `receiver_offset` (towards the light for a zero normal), in voxel coordinates.
   glm::dvec3 receiver_voxel(const glm::dvec3& world, const glm::dvec3& normal, uint32_t taps) const;
+  /// The same in a world that was moved by `by`.
+  LightGrid moved(const glm::dvec3& by) const;
   /// The same window with half as many voxels on every axis.
   LightGrid halved() const;
 };

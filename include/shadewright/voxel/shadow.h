@@ -43,6 +43,8 @@ class VoxelShadow {
   /// Offsets in `dags()[level].nodes` where each height's nodes begin, from below the grid down to height 3, and the
   /// end.
   std::span<const uint64_t> level_starts(size_t level) const { return level_starts_[level]; }
+  /// The same shadow in a world that was moved by `by`; shares the data.
+  VoxelShadow moved(const glm::dvec3& by) const;
   /// Bytes of nodes and leaves of all DAGs, and of their grids.
   uint64_t dag_bytes() const;
   uint64_t grid_bytes() const;

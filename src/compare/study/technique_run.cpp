@@ -49,7 +49,7 @@ MetricsInput metrics_input(const StudyView& view, std::span<const float> visibil
 TechniqueRun::TechniqueRun(const StudyView& view, const shadow::Spec& spec) : spec_(spec) {
   const StudyOptions& options = view.options();
   if (spec.parameterization != "ray")
-    technique_ = shadow::make_technique(view.device(), spec, {options.width, options.height, 1, true});
+    technique_ = shadow::make_technique(view.device(), spec, {options.width, options.height, 1, true, &view.scene()});
 }
 
 std::vector<gpu::StageTime> TechniqueRun::draw(StudyView& view, uint64_t index) {

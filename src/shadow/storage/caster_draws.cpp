@@ -27,7 +27,7 @@ void CasterDraws::prepare(const Frame& frame, uint32_t slot, std::span<const Map
   std::vector<std::vector<Plane>> planes;
   std::transform(views.begin(), views.end(), std::back_inserter(planes),
                  [](const MapView& view) { return view.drawn ? view.casters : std::vector<Plane>{nothing}; });
-  draws_->set_views(slot, planes);
+  draws_->set_views(slot, planes, {}, frame.casters);
 }
 
 void CasterDraws::cull(const Frame& frame, uint32_t slot, gpu::Recorder& recorder) const {

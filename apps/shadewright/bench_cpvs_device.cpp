@@ -1,0 +1,166 @@
+// The tables of "Compact Precomputed Voxelized Shadows" (2014) that run on the device: figures 8, 10 and 11, and what
+// the order of traversal gains.
+#include "bench_cpvs_device.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "shadewright/compare/path_study.h"
+#include "shadewright/scene/builtin.h"
+#include "shadewright/scene/moments.h"
+
+namespace shadewright::app {
+
+namespace {
+
+constexpr uint32_t flight_frames = 12;
+
+std::string times(double ratio) {
+  return fmt::format("{:.2f}", ratio);
+}
+
+std::string milliseconds(double value) {
+  return fmt::format("{:.2f}", value);
+}
+
+std::vector<shadow::Spec> parse(const std::vector<std::string>& texts) {
+  std::vector<shadow::Spec> specs;
+  for (const std::string& text : texts) specs.push_back(shadow::parse_spec(text));
+  return specs;
+}
+
+/// A fly-through: all techniques over the scene's path `main`.
+compare::Report fly(Bench& bench, const Scene& scene, const std::vector<std::string>& specs) {
+  const BenchOptions& options = bench.options();
+  compare::PathStudy study(bench.device(), scene, "main",
+                           moments_along(scene.paths.front(), scene.lights.front(), flight_frames),
+                           {options.width, options.height, 0, 16, true});
+  return study.run(parse(specs), {}, {}, bench.progress());
+}
+
+BenchTable flights(Bench& bench) {
+  BenchTable table{
+      "CPVS figure 8: shading time over fly-throughs",
+      "Look-ups alone for the DAG, maps and look-ups for CSM (2048 texels a cascade), as in the paper. Of one "
+      "tap: worst frame against worst frame; the paper: at worst 2.5 for 9 x 9 and 4.5 for 17 x 17.",
+      {"scene", "technique", "median ms", "worst ms", "of one tap", "of CSM 4", "wrong", "flicker"},
+      {}};
+  const std::string voxels = fmt::format("@{}", bench.options().limit);
+  struct Flight {
+    const char *name, *scene, *keys;
+  };
+  for (const Flight& flight : {Flight{"landscape", "landscape", ""}, Flight{"ruins", "ruins", ""},
+                               Flight{"city, closed", "city?triangles=613000", ""},
+                               Flight{"city, not closed", "city?triangles=613000", ",closed=none"}}) {
+    const Scene scene = make_builtin(flight.scene);
+    const auto cpvs = [&](const char* more) { return "cpvs" + voxels + more + flight.keys; };
+    const compare::Report report = fly(bench, scene,
+                                       {cpvs(""), cpvs(",taps=9"), cpvs(",taps=17"), cpvs(",taps=9,far=mraa"),
+                                        cpvs(",taps=9,far=voaa"), "csm@2048,cascades=4", "csm@2048,cascades=8"});
+    const double one_tap = report.results[0].milliseconds.max, csm = report.results[5].milliseconds.max;
+    for (const compare::TechniqueResult& result : report.results)
+      table.rows.push_back({flight.name, result.technique, milliseconds(result.milliseconds.median),
+                            milliseconds(result.milliseconds.max), times(result.milliseconds.max / one_tap),
+                            times(result.milliseconds.max / csm), fmt::format("{:.3f} %", 100 * result.error.fraction),
+                            fmt::format("{:.4f}", result.error.flicker.value_or(0))});
+  }
+  return table;
+}
+
+BenchTable filters(Bench& bench) {
+  BenchTable table{
+      "CPVS figure 10: large filters at 2048 x 2048",
+      "Blur and evaluation, without drawing the map, of landscape's camera 'ground'; the paper's milliseconds "
+      "are of a GPU: compare the last two columns.",
+      {"filter", "technique", "paper ms", "ms", "paper, of the DAG", "ours, of the DAG"},
+      {}};
+  const Scene scene = make_builtin("landscape");
+  compare::Study study = bench.study(scene, scene.cameras.front(), scene.lights.front());
+  struct Row {
+    const char *filter, *name, *spec;
+    double paper;
+  };
+  double dag = 0;
+  for (const Row& row :
+       {Row{"9 x 9", "voxel DAG", "cpvs@2048,taps=9", 0.43}, Row{"9 x 9", "shadow map", "pcf@2048,radius=4", 0.52},
+        Row{"9 x 9", "variance map", "vsm@2048,blur=4", 0.81}, Row{"17 x 17", "voxel DAG", "cpvs@2048,taps=17", 0.76},
+        Row{"17 x 17", "shadow map", "pcf@2048,radius=8", 1.9},
+        Row{"17 x 17", "variance map", "vsm@2048,blur=8", 1.01}}) {
+    const compare::TechniqueResult result = study.run(shadow::parse_spec(row.spec)).result;
+    double spent = 0;
+    for (const auto& stage : result.milliseconds.stages)
+      if (stage.name == "look-up" || stage.name == "blur") spent += stage.median;
+    const bool is_dag = std::string_view(row.name) == "voxel DAG";
+    if (is_dag) dag = spent;
+    const double paper_dag = std::string_view(row.filter) == "9 x 9" ? 0.43 : 0.76;
+    table.rows.push_back({row.filter, row.name, fmt::format("{:.2f}", row.paper), milliseconds(spent),
+                          times(row.paper / paper_dag), times(spent / dag)});
+  }
+  return table;
+}
+
+BenchTable orders(Bench& bench) {
+  BenchTable table{
+      "CPVS section 7: what the order of traversal gains",
+      "Worst frame of the fly-through, best order against x always first. Paper: 7.5 and 10.8 % in its closed "
+      "city, 14.2 and 26.6 % in Necropolis.",
+      {"scene", "filter", "fixed ms", "best ms", "gain"},
+      {}};
+  for (const char* name : {"city?triangles=613000", "ruins"}) {
+    const Scene scene = make_builtin(name);
+    for (const char* taps : {"9", "17"}) {
+      const std::string spec = fmt::format("cpvs@{},taps={}", bench.options().limit, taps);
+      const compare::Report report = fly(bench, scene, {spec + ",order=fixed", spec});
+      const double fixed = report.results[0].milliseconds.max, best = report.results[1].milliseconds.max;
+      table.rows.push_back({name, fmt::format("{0} x {0}", taps), milliseconds(fixed), milliseconds(best),
+                            fmt::format("{:.1f} %", 100 * (1 - best / fixed))});
+    }
+  }
+  return table;
+}
+
+BenchTable distant(Bench& bench) {
+  BenchTable table{
+      "CPVS figure 11, bottom: distant shadows",
+      "ruins from ten times as far as its camera 'overview'. Mean absolute error is against 16 shadow rays in "
+      "each pixel's footprint.",
+      {"technique", "mean absolute", "wrong"},
+      {}};
+  const Scene scene = make_builtin("ruins");
+  Camera far = find_camera(scene, "overview");
+  far.eye = far.target + 10.0 * (far.eye - far.target);
+  far.fov_y /= 6;
+  compare::Study study = bench.study(scene, far, scene.lights.front());
+  const std::string spec = fmt::format("cpvs@{},taps=9", bench.options().limit);
+  for (const compare::Outcome& outcome :
+       bench.run(study, {spec, spec + ",far=voaa", spec + ",far=mraa"}, "distant", table))
+    table.rows.push_back({outcome.result.technique, fmt::format("{:.5f}", outcome.result.error.mean_absolute),
+                          fmt::format("{:.3f} %", 100 * outcome.result.error.fraction)});
+  return table;
+}
+
+BenchTable quality(Bench& bench) {
+  BenchTable table{"CPVS figure 11, top: filtering quality",
+                   "Paper: 1.8, 2.4 and 0.47 ms.",
+                   {"technique", "ms", "of the DAG", "wrong", "mean absolute"},
+                   {}};
+  const Scene scene = make_builtin("ruins");
+  compare::Study study = bench.study(scene, scene.cameras.front(), scene.lights.front());
+  const std::string spec = fmt::format("cpvs@{},taps=9", bench.options().limit);
+  const auto outcomes = bench.run(study, {"csm@2048,cascades=4", "csm@2048,cascades=8", spec}, "quality", table);
+  for (const compare::Outcome& outcome : outcomes)
+    table.rows.push_back({outcome.result.technique, milliseconds(outcome.result.milliseconds.median),
+                          times(outcome.result.milliseconds.median / outcomes.back().result.milliseconds.median),
+                          fmt::format("{:.3f} %", 100 * outcome.result.error.fraction),
+                          fmt::format("{:.5f}", outcome.result.error.mean_absolute)});
+  return table;
+}
+
+}  // namespace
+
+std::vector<BenchTable> cpvs_device_tables(Bench& bench) {
+  return {flights(bench), filters(bench), orders(bench), quality(bench), distant(bench)};
+}
+
+}  // namespace shadewright::app

@@ -1,0 +1,11 @@
+// The part of `bench cpvs` that needs a device.
+#pragma once
+
+#include "bench.h"
+
+namespace shadewright::app {
+
+/// Figures 8, 10 and 11, and the gain of the order of traversal, at the options' largest resolution.
+std::vector<BenchTable> cpvs_device_tables(Bench& bench);
+
+}  // namespace shadewright::app

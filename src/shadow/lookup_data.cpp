@@ -1,0 +1,32 @@
+#include "shadow/lookup_data.h"
+
+#include <cmath>
+
+namespace shadewright::shadow {
+
+namespace {
+
+uint32_t light_kind(LightKind kind) {
+  switch (kind) {
+    case LightKind::spot:
+      return shared::light_spot;
+    case LightKind::point:
+      return shared::light_point;
+    default:
+      return shared::light_directional;
+  }
+}
+
+}  // namespace
+
+shared::LookupData lookup_data(const Frame& frame) {
+  shared::LookupData lookup{};
+  lookup.light_position = glm::vec3(frame.light.position);
+  lookup.light_direction = glm::vec3(frame.light.direction);
+  lookup.light_cos_outer = static_cast<float>(std::cos(frame.light.outer_angle));
+  lookup.light_kind = light_kind(frame.light.kind);
+  lookup.eye = glm::vec3(frame.camera.eye());
+  return lookup;
+}
+
+}  // namespace shadewright::shadow
