@@ -39,6 +39,8 @@ refuses 2 'points' compare builtin:spheres -t sm -o out --against-triangles "${s
 refuses 2 '.png' render builtin:spheres -t sm -o x.jpg "${small[@]}"
 refuses 2 'camera' render builtin:spheres -t sm -o x.png --camera nobody "${small[@]}"
 refuses 2 'light' render builtin:spheres -t sm -o x.png --light nobody "${small[@]}"
+refuses 2 '1 to 8' render builtin:spheres -t csm,cascades=0 -o x.png "${small[@]}"
+refuses 2 'averages beforehand' render builtin:spheres -t vsm,radius=2 -o x.png "${small[@]}"
 refuses 2 'X,Y,Z' render builtin:spheres -t sm -o x.png --eye 1,2 --target 0,0,0 "${small[@]}"
 refuses 2 'both' render builtin:spheres -t sm -o x.png --eye 1,2,3 "${small[@]}"
 refuses 2 'AZIMUTH' render builtin:spheres -t sm -o x.png --sun high "${small[@]}"
@@ -74,6 +76,10 @@ works render builtin:spheres -t sm@256 -o points.png --points auto --size 160x90
   fail "points are drawn without a word"
 works compare builtin:spheres -t sm@256 -o points --points auto --against-triangles --size 160x90 --repeat 0 &&
   grep -q 'Against triangles' points/report.json || fail "what points cost is not told"
+works render builtin:city -t csm@256,splits=sdsm,stable=1 -o csm.png --debug cascades --debug shadow-map "${small[@]}"
+[ -s csm-cascades.png ] && [ -s csm-shadow-map.png ] || fail "no debug picture of the cascades"
+works compare builtin:chess -t cascaded@256,cascades=8 -t vsm@256,blur=2,bleeding=0.2 -t cascaded/moments/hard@256 -o three \
+  --size 160x90 --repeat 1 --validation
 works render --help-spec
 works render builtin:spheres -t sm -o x.png --debug list && grep -q shadow-map stdout || fail "--debug list names no shadow-map"
 works compare builtin:spheres -t sm@256..512 -t pcf@256 -o out --size 160x90 --repeat 1 --validation

@@ -1,5 +1,7 @@
 #include "shadow/map_technique.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
@@ -45,7 +47,7 @@ MapTechnique::MapTechnique(const gpu::Device& device, const Spec& spec, const Te
   parameterization_ = make_parameterization(device, spec, options);
   if (!options.allow_readback && needs_readback())
     throw InputError(spec.text, "this technique waits for the device in every frame",
-                     "allow readback, or choose fit=view");
+                     fmt::format("allow readback, or {}", parameterization_->traits().without_readback));
 
   visibility_ = gpu::Image(device, {"visibility", vk::Format::eR8Unorm, options.width, options.height, 1,
                                     vk::ImageUsageFlagBits::eStorage | vk::ImageUsageFlagBits::eSampled |
@@ -136,6 +138,7 @@ void MapTechnique::write_constants(const Frame& frame) {
     lookup.pcf_radius = static_cast<float>(spec_.number("radius") + 0.5);
     lookup.pcf_width = static_cast<float>(0.5 * spec_.number("width"));
   }
+  if (spec_.takes("bleeding")) lookup.light_bleeding = static_cast<float>(spec_.number("bleeding"));
   lookups_[i].mapped<shared::LookupData>()[0] = lookup;
 }
 
@@ -147,6 +150,7 @@ std::vector<gpu::Binding> MapTechnique::receiver_bindings(const Frame& frame) co
 
 void MapTechnique::record(const Frame& frame, gpu::Recorder& recorder) {
   const vk::DescriptorSet set = lookup_set(frame);
+  last_ = {*lookup_layout_, set, receiver_bindings(frame), options_.width, options_.height};
   parameterization_->record(frame, recorder);
   storage_->record(frame, slot(frame), parameterization_->views(), set, recorder);
   recorder.stage("look-up", [&](const vk::raii::CommandBuffer& commands) {
@@ -223,7 +227,7 @@ Picture MapTechnique::debug_picture(std::string_view name) {
   const auto has = [&](const std::vector<std::string>& names) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
-  if (has(parameterization_->debug_names())) return parameterization_->debug_picture(name);
+  if (has(parameterization_->debug_names())) return parameterization_->debug_picture(name, last_);
   if (storage_ && has(storage_traits(spec_.storage).debug_names)) return storage_->debug_picture(name);
   return Technique::debug_picture(name);
 }

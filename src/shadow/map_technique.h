@@ -49,6 +49,7 @@ class MapTechnique final : public Technique {
   std::unique_ptr<Storage> storage_;
   std::optional<LightKind> built_for_;
   gpu::ComputePass lookup_;
+  ReceiverLookup last_;  ///< of the last recorded frame
 };
 
 }  // namespace shadewright::shadow

@@ -27,9 +27,10 @@ struct LookupData {
   uint light_kind;
   vec3 eye;
   float bias_scale;
-  vec2 map_size;     // texels
-  float pcf_radius;  // half width of the box in texels, or
-  float pcf_width;   // half width in metres; 0 = in texels
+  vec2 map_size;         // texels
+  float pcf_radius;      // half width of the box in texels, or
+  float pcf_width;       // half width in metres; 0 = in texels
+  float light_bleeding;  // of moments: the share of light that counts as none
 };
 
 #ifdef __cplusplus

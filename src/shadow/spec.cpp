@@ -60,6 +60,15 @@ const std::vector<SpecKey>& all_keys() {
       choice_key("recovery", "subpixel", {"on", "off"},
                  "off: receivers that neither their texel nor its neighbours decide are lit"),
       whole_key("radius", "pcf", 0, 8, "1", "the filter's box reaches this many texels to each side"),
+      whole_key("cascades", "cascaded", 1, 8, "4", "slices of the view, each with a map of its own"),
+      number_key("lambda", "cascaded", 0, 1, "0.85", "where to split: lambda * logarithmic + (1 - lambda) * linear"),
+      choice_key("splits", "cascaded", {"pssm", "sdsm"},
+                 "what to split and fit to: what the camera's frustum holds, or this frame's surface points"),
+      choice_key("stable", "cascaded", {"0", "1"},
+                 "1: maps of constant size that move by whole texels, so that a moving camera does not shimmer"),
+      whole_key("blur", "moments/pcf", 0, 16, "1", "moments are averaged over this many texels to each side"),
+      number_key("bleeding", "moments", 0, 0.99, "0",
+                 "light-bleeding reduction: the share of light that counts as none; hardens the shadow's edge"),
       number_key("width", "pcf", 0, 1000, "0",
                  "the filter's whole width in metres, the same at every resolution; 0 = use radius"),
       choice_key("taps", "precomputed", {"1", "3", "5", "7", "9", "11", "13", "15", "17"},
@@ -136,9 +145,15 @@ uint32_t parse_resolution(const std::string& text, std::string_view digits, cons
   return static_cast<uint32_t>(*number);
 }
 
+/// Texels averaged beforehand leave the filter one look-up, and nothing to choose.
+bool prefiltered(const Spec& spec) {
+  return spec.storage == "moments";
+}
+
 bool belongs(const SpecKey& key, const Spec& spec) {
   return (key.owner == "map" && !spec.storage.empty()) || key.owner == spec.parameterization ||
-         key.owner == spec.storage || key.owner == spec.filter;
+         key.owner == spec.storage || key.owner == spec.storage + "/" + spec.filter ||
+         (key.owner == spec.filter && !prefiltered(spec));
 }
 
 /// The key of that name which belongs to a part of `spec` (parts may use the same name); null if there is none.
@@ -207,6 +222,10 @@ void parse_key(Spec& spec, std::string_view item, std::set<std::string_view>& se
   const std::string choose = own.empty() ? "it takes no keys" : fmt::format("its keys are {}", fmt::join(own, ", "));
   const SpecKey* key = find_key(name, spec);
   if (!key && other_owner.empty()) throw InputError(subject, fmt::format("there is no key '{}'", name), choose);
+  if (!key && other_owner == spec.filter)
+    throw InputError(subject,
+                     fmt::format("key '{}' has no meaning with '{}', which averages beforehand", name, spec.storage),
+                     choose);
   if (!key)
     throw InputError(subject, fmt::format("key '{}' belongs to '{}', which this spec does not use", name, other_owner),
                      choose);

@@ -110,7 +110,8 @@ class Technique {
   /// Reads the oracle's rays of the last recorded frame back and waits; none for techniques without texels.
   virtual std::optional<OracleRays> oracle_rays(const Frame&) { return std::nullopt; }
 
-  /// Pictures that show how the technique works, by name, of the last recorded frame. InputError for an unknown name.
+  /// Pictures that show how the technique works, by name, of the last recorded frame, whose camera's buffers must still
+  /// be there. InputError for an unknown name.
   virtual std::vector<std::string> debug_names() const { return {}; }
   virtual Picture debug_picture(std::string_view name);
 

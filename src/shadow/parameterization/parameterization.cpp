@@ -4,13 +4,15 @@
 
 #include <stdexcept>
 
+#include "shadow/parameterization/cascaded/cascaded.h"
 #include "shadow/parameterization/uniform/uniform.h"
 
 namespace shadewright::shadow {
 
 std::unique_ptr<Parameterization> make_parameterization(const gpu::Device& device, const Spec& spec,
-                                                        const TechniqueOptions&) {
+                                                        const TechniqueOptions& options) {
   if (spec.parameterization == "uniform") return std::make_unique<Uniform>(device, spec.resolution, spec.choice("fit"));
+  if (spec.parameterization == "cascaded") return std::make_unique<Cascaded>(device, spec, options.frames_in_flight);
   throw std::logic_error(fmt::format("parameterization '{}' has shaders but no class", spec.parameterization));
 }
 

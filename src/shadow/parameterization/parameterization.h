@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "shadewright/gpu/pass.h"
@@ -17,6 +18,15 @@ struct Traits {
   bool layered = false;     ///< more than one view at once
   bool gpu_driven = false;  ///< views are a buffer on the device
   bool needs_readback = false;
+  std::string_view without_readback;  ///< what to choose where readback is forbidden
+};
+
+/// How a compute shader asks about the receivers of a frame as the look-up does (shadow/receivers.glsl).
+struct ReceiverLookup {
+  vk::DescriptorSetLayout layout;  ///< set 1
+  vk::DescriptorSet set;
+  std::vector<gpu::Binding> receivers;  ///< bindings 0, 1, 2 of set 0
+  uint32_t width = 0, height = 0;
 };
 
 /// The size of a map, texels and layers.
@@ -51,7 +61,7 @@ class Parameterization {
   virtual std::vector<Allocation> allocations() const { return {}; }
   virtual std::vector<std::string> debug_names() const { return {}; }
   /// The debug picture of a name that is one of `debug_names`, of the last recorded frame. Waits.
-  virtual Picture debug_picture(std::string_view) { return {}; }
+  virtual Picture debug_picture(std::string_view, const ReceiverLookup&) { return {}; }
 };
 
 /// The parameterization that `spec` names.

@@ -5,13 +5,14 @@
 #include <stdexcept>
 
 #include "shadow/storage/depth/depth.h"
+#include "shadow/storage/moments/moments.h"
 #include "shadow/storage/subpixel/subpixel.h"
 
 namespace shadewright::shadow {
 
 StorageTraits storage_traits(std::string_view storage) {
   using enum gpu::BindingKind;
-  if (storage == "depth") return {{sampled_image}, {"shadow-map"}};
+  if (storage == "depth" || storage == "moments") return {{sampled_image}, {"shadow-map"}};
   if (storage == "subpixel") return {{sampled_image, sampled_image, storage_buffer}, {"shadow-map"}};
   throw std::logic_error(fmt::format("storage '{}' has shaders but no class", storage));
 }
@@ -19,6 +20,7 @@ StorageTraits storage_traits(std::string_view storage) {
 std::unique_ptr<Storage> make_storage(const gpu::Device& device, const StorageDesc& desc) {
   if (desc.spec.storage == "depth") return std::make_unique<DepthStorage>(device, desc);
   if (desc.spec.storage == "subpixel") return std::make_unique<SubpixelStorage>(device, desc);
+  if (desc.spec.storage == "moments") return std::make_unique<MomentsStorage>(device, desc);
   throw std::logic_error(fmt::format("storage '{}' has shaders but no class", desc.spec.storage));
 }
 

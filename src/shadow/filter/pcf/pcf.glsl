@@ -2,6 +2,11 @@
 // how much of it the box covers, each compared with the depth of the receiver's plane at its own centre.
 // The box is `radius` texels wide to each side, or `width` metres on the receiver, the same at every resolution.
 
+#ifdef STORAGE_PREFILTERED
+// The storage has averaged its texels already: one look-up, blended between them.
+float filter_visible(vec3 world, vec4 plane) { return storage_filtered(map_point(world, plane)); }
+#else
+
 // Half widths of the box in texels. Beyond `pcf_dense` the taps are spread evenly over the box instead of touching every texel.
 const float pcf_dense = 8.0;
 
@@ -59,3 +64,5 @@ float filter_visible(vec3 world, vec4 plane) {
     }
   return covered > 0.0 ? lit / covered : 1.0;
 }
+
+#endif

@@ -7,8 +7,11 @@
 // Casters between the light and the receivers count from anywhere: their depth is clamped to the map's range.
 #pragma once
 
+#include <optional>
+
 #include "shadow/parameterization/parameterization.h"
 #include "shadow/parameterization/uniform/fit.h"
+#include "shadow/parameterization/visible_bounds.h"
 
 namespace shadewright::shadow {
 
@@ -17,7 +20,9 @@ class Uniform final : public Parameterization {
   /// `fit` is "scene", "view" or "visible".
   Uniform(const gpu::Device& device, uint32_t resolution, std::string_view fit);
 
-  Traits traits() const override { return {.layered = true, .needs_readback = fit_ == "visible"}; }
+  Traits traits() const override {
+    return {.layered = true, .needs_readback = fit_ == "visible", .without_readback = "choose fit=view"};
+  }
   uint32_t max_views() const override { return 6; }
   MapExtent map_extent(LightKind light) const override {
     return {resolution_, resolution_, light == LightKind::point ? 6u : 1u};
@@ -28,15 +33,10 @@ class Uniform final : public Parameterization {
   std::vector<Allocation> allocations() const override;
 
  private:
-  std::vector<Box> visible_bounds(const Frame& frame, gpu::Recorder& recorder, std::span<const LightFrame> lights);
-
-  const gpu::Device& device_;
   std::string fit_;
   uint32_t resolution_;
   std::vector<MapView> views_;
-  gpu::ComputePass reduce_;
-  vk::raii::Sampler sampler_{nullptr};
-  gpu::Buffer camera_, light_axes_, bounds_;
+  std::optional<VisibleBounds> visible_;  ///< fit=visible
 };
 
 }  // namespace shadewright::shadow

@@ -1,0 +1,14 @@
+#include "shadow/filter/reach.h"
+
+namespace shadewright::shadow {
+
+FilterReach filter_reach(const Spec& spec) {
+  if (spec.filter != "pcf") return {};
+  // Blurred texels are blended between neighbours.
+  if (spec.storage == "moments") return {spec.number("blur") + 1, 0};
+  // Taps are read in pairs, whose second may lie a texel outside the box.
+  if (spec.number("width") > 0) return {2, 0.5 * spec.number("width")};
+  return {spec.number("radius") + 1.5, 0};
+}
+
+}  // namespace shadewright::shadow

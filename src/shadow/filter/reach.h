@@ -1,0 +1,15 @@
+// How far the look-ups of a spec read around a receiver: what a map must hold beyond its receivers.
+#pragma once
+
+#include "shadewright/shadow/spec.h"
+
+namespace shadewright::shadow {
+
+struct FilterReach {
+  double texels = 0;  ///< of the map, to each side
+  double metres = 0;  ///< on the receiver, to each side, in addition
+};
+
+FilterReach filter_reach(const Spec& spec);
+
+}  // namespace shadewright::shadow

@@ -1,0 +1,197 @@
+#include "shadow/parameterization/cascaded/cascaded.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <glm/gtc/matrix_access.hpp>
+
+#include "shaders/show_cascades_comp.h"
+#include "shadow/parameterization/cascaded/shared.h"
+
+namespace shadewright::shadow {
+
+namespace {
+
+/// Receivers' bounds are exact up to float rounding of the map coordinates.
+constexpr double rounding_border_texels = 1;
+
+/// Axes whose z is the camera's view depth.
+LightFrame depth_axis(const render::CameraView& camera) {
+  LightFrame frame;
+  frame.view_from_world = glm::row(frame.view_from_world, 2, glm::row(camera.clip_from_world, 3));
+  return frame;
+}
+
+Box world_bounds(const Frame& frame) {
+  return frame.scene ? unite(frame.scene->bounds(), frame.draw_bounds) : frame.draw_bounds;
+}
+
+Box window(const glm::dvec2& center, const glm::dvec2& half) {
+  return {glm::dvec3(center - half, 0), glm::dvec3(center + half, 0)};
+}
+
+}  // namespace
+
+Cascaded::Cascaded(const gpu::Device& device, const Spec& spec, uint32_t frames_in_flight)
+    : device_(device),
+      resolution_(spec.resolution),
+      cascades_(static_cast<uint32_t>(spec.number("cascades"))),
+      lambda_(spec.number("lambda")),
+      stable_(spec.choice("stable") == "1"),
+      reach_(filter_reach(spec)) {
+  if (spec.choice("splits") == "sdsm") visible_.emplace(device);
+  for (uint32_t i = 0; i < frames_in_flight; ++i)
+    constants_.emplace_back(device, "cascades", sizeof(shared::CascadeData), gpu::HostAccess::write);
+}
+
+Traits Cascaded::traits() const {
+  return {.layered = true, .needs_readback = visible_.has_value(), .without_readback = "choose splits=pssm"};
+}
+
+void Cascaded::prepare(const Frame& frame, gpu::Recorder& recorder) {
+  const LightFrame light = light_frames(frame.light).front();
+  const std::vector<Plane> cone = window_planes(light);
+  const auto receivers_in = [&](std::vector<Plane> planes) {
+    planes.insert(planes.end(), cone.begin(), cone.end());
+    return receiver_points(frame, planes);
+  };
+  Box all;
+  DepthRange range;
+  recorder.cpu_stage("fit", [&] {
+    const std::vector<glm::dvec3> points = receivers_in(frame.camera.planes());
+    all = receiver_bounds(light, points);
+    range = view_depths(frame.camera, points);
+  });
+  if (visible_) {
+    const LightFrame axis = depth_axis(frame.camera);
+    const Box seen = visible_->measure(frame, recorder, std::span(&axis, 1)).front();
+    range = {std::max(range.nearest, seen.min.z), std::min(range.farthest, seen.max.z)};
+  }
+  slices_.clear();
+  if (range.nearest <= range.farthest) slices_ = split(stable_ ? widen_to_grid(range) : range, cascades_, lambda_);
+  slices_.resize(cascades_, {0, 0});
+
+  std::vector<LightFrame> lights(cascades_, light);
+  std::vector<Box> receivers(cascades_);
+  recorder.cpu_stage("fit", [&] {
+    for (size_t i = 0; i < cascades_; ++i) {
+      const std::vector<glm::dvec3> points = receivers_in(slice_planes(frame.camera, slices_[i]));
+      if (!light.perspective && !stable_) lights[i] = turn_to_fit(light, points);
+      receivers[i] = receiver_bounds(lights[i], points);
+    }
+  });
+  if (visible_ && !stable_) {
+    // Rounding must not lose the nearest and the farthest point.
+    std::vector<DepthRange> seen = slices_;
+    seen.front().nearest = 0;
+    seen.back().farthest = std::numeric_limits<double>::infinity();
+    const std::vector<Box> visible = visible_->measure(frame, recorder, lights, seen);
+    std::transform(receivers.begin(), receivers.end(), visible.begin(), receivers.begin(), intersect);
+  }
+
+  views_.clear();
+  borders_.assign(cascades_, glm::vec2(0));
+  auto& constants = constants_[frame.index % constants_.size()].mapped<shared::CascadeData>()[0];
+  constants.count = cascades_;
+  for (uint32_t i = 0; i < cascades_; ++i) {
+    if (stable_ && !receivers[i].empty()) receivers[i] = constant_window(frame, light, slices_[i], receivers[i]);
+    views_.push_back(make_view(lights[i], receivers[i], all, borders_[i]));
+    views_.back().layer = i;
+    if (views_.back().drawn) views_.back().casters = caster_planes(views_.back(), frame.camera, frame.light, true);
+    constants.border[i] = borders_[i];
+  }
+}
+
+Box Cascaded::constant_window(const Frame& frame, const LightFrame& light, const DepthRange& slice,
+                              const Box& receivers) const {
+  const glm::dvec2 half(0.5 * receivers.size());
+  if (light.perspective)
+    return window(glm::dvec2(receivers.center()), {round_up_to_grid(half.x), round_up_to_grid(half.y)});
+  const Sphere sphere = slice_sphere(frame.camera, slice);
+  glm::dvec2 center(light.view_from_world * glm::dvec4(sphere.center, 1.0)), reach(sphere.radius);
+  const Box scene = transform(light.view_from_world, world_bounds(frame));
+  for (int axis = 0; axis < 2; ++axis) {
+    const double whole = round_up_to_grid(0.5 * scene.size()[axis]);
+    if (whole >= reach[axis]) continue;
+    reach[axis] = whole;
+    center[axis] = scene.center()[axis];
+  }
+  return window(center, reach);
+}
+
+MapView Cascaded::make_view(const LightFrame& light, Box receivers, const Box& all, glm::vec2& border) const {
+  border = glm::vec2(0);
+  if (receivers.empty()) return fit_view(light, receivers, resolution_, 0);
+  // One depth range for all cascades: a receiver may take any of them.
+  receivers.min.z = all.min.z;
+  receivers.max.z = all.max.z;
+  // A metre of the filter is widest in the window at the nearest receiver; a window twice the light's is enough.
+  const double reach = light.perspective ? std::min(reach_.metres / -all.max.z, light.max_tangent) : reach_.metres;
+  const double texels = reach_.texels + rounding_border_texels + (stable_ ? 0.5 : 0.0);
+  const double resolution = resolution_;
+  const glm::dvec2 half =
+      (glm::dvec2(0.5 * receivers.size()) + reach) * (resolution / std::max(resolution - 2 * texels, 1.0));
+  glm::dvec2 center(receivers.center());
+  if (stable_) {
+    const glm::dvec2 texel = 2.0 * half / resolution;
+    center = glm::round(center / texel) * texel;
+  }
+  for (int axis = 0; axis < 2; ++axis) {
+    receivers.min[axis] = center[axis] - half[axis];
+    receivers.max[axis] = center[axis] + half[axis];
+    border[axis] = static_cast<float>(reach_.texels / resolution + (reach > 0 ? 0.5 * reach / half[axis] : 0.0));
+  }
+  return fit_view(light, receivers, resolution_, 0);
+}
+
+Counters Cascaded::counters() const {
+  const auto drawn = std::count_if(views_.begin(), views_.end(), [](const MapView& view) { return view.drawn; });
+  const auto resolution = static_cast<double>(resolution_);
+  std::vector<double> splits;
+  for (const DepthRange& slice : slices_) splits.push_back(slice.nearest);
+  if (!slices_.empty()) splits.push_back(slices_.back().farthest);
+  return {{"effective_resolution", {resolution, resolution}},
+          {"views", {static_cast<double>(drawn)}},
+          {"splits", std::move(splits)}};
+}
+
+std::vector<Allocation> Cascaded::allocations() const {
+  std::vector<Allocation> result = visible_ ? visible_->allocations() : std::vector<Allocation>{};
+  for (const gpu::Buffer& buffer : constants_) result.push_back(buffer.allocation());
+  return result;
+}
+
+Picture Cascaded::debug_picture(std::string_view, const ReceiverLookup& lookup) {
+  using enum gpu::BindingKind;
+  const gpu::ComputePass pass(device_, shaders::show_cascades_comp,
+                              {uniform_buffer, sampled_image, sampled_image, storage_buffer}, 0,
+                              std::span(&lookup.layout, 1));
+  const size_t pixels = size_t{lookup.width} * lookup.height;
+  const gpu::Buffer chosen(device_, "cascade of each pixel", pixels * sizeof(uint32_t));
+  gpu::submit_and_wait(device_, [&](const vk::raii::CommandBuffer& commands) {
+    auto bindings = lookup.receivers;
+    bindings.push_back(gpu::Binding::storage(chosen));
+    pass.dispatch(commands, bindings, {}, {gpu::groups(lookup.width, 8), gpu::groups(lookup.height, 8), 1},
+                  std::span(&lookup.set, 1));
+  });
+  const auto bytes = gpu::read_back(device_, chosen, pixels * sizeof(uint32_t));
+  constexpr std::array<glm::u8vec4, shared::max_cascades> colors{{{220, 60, 50, 255},
+                                                                  {70, 180, 75, 255},
+                                                                  {65, 100, 220, 255},
+                                                                  {240, 200, 50, 255},
+                                                                  {60, 200, 210, 255},
+                                                                  {240, 140, 40, 255},
+                                                                  {150, 90, 60, 255},
+                                                                  {170, 170, 170, 255}}};
+  const glm::u8vec4 none{255, 0, 255, 255}, background{20, 20, 20, 255};
+  Picture picture{lookup.width, lookup.height, {}};
+  for (size_t i = 0; i < pixels; ++i) {
+    uint32_t cascade;
+    std::memcpy(&cascade, bytes.data() + i * sizeof(uint32_t), sizeof(uint32_t));
+    picture.pixels.push_back(cascade < cascades_ ? colors[cascade] : cascade == cascades_ ? none : background);
+  }
+  return picture;
+}
+
+}  // namespace shadewright::shadow

@@ -1,0 +1,46 @@
+// cascaded: one layer a slice of the camera's view, finest first. The parameterization module of a look-up (architecture,
+// section 1).
+// A receiver takes the first cascade whose map holds it and all that a filter reads around it, whatever its depth in the view:
+// cascades reach beyond their slices, so that more receivers get fine texels, and no filter ever crosses from map to map.
+#include "shadow/map_point.glsl"
+#include "shadow/parameterization/cascaded/shared.h"
+
+#define MAP_CONTIGUOUS 1  // neighbours of a texel are its neighbours in the layer
+
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 8, scalar) uniform Cascades { CascadeData cascades; };
+
+// `cascades.count` where none holds the receiver.
+uint cascade_of(vec3 world) {
+  for (uint i = 0; i < cascades.count; ++i) {
+    if (map_views[i].drawn == 0) continue;
+    vec4 q = map_views[i].map_from_world * vec4(world, 1.0);
+    vec2 from_center = abs(q.xy - 0.5 * q.w);
+    if (q.w > 0.0 && all(lessThan(from_center, (0.5 - cascades.border[i]) * q.w))) return i;
+  }
+  return cascades.count;
+}
+
+MapPoint map_point(vec3 world, vec4 plane) {
+  uint cascade = cascade_of(world);
+  MapPoint p = map_project(map_views[min(cascade, cascades.count - 1)], cascade, world, plane, 1.0 / lookup.map_size);
+  p.valid = p.valid && cascade < cascades.count;
+  return p;
+}
+
+vec4 map_caster(vec3 world, uint view) {
+  vec4 q = map_views[view].map_from_world * vec4(world, 1.0);
+  return vec4(2.0 * q.xy - q.w, q.z, q.w);
+}
+
+// The texel at p's own plus `offset`; false outside the layer.
+bool map_fetch(MapPoint p, ivec2 offset, out ivec3 address) {
+  address = ivec3(ivec2(floor(p.uv * lookup.map_size)) + offset, int(p.layer));
+  return all(greaterThanEqual(address.xy, ivec2(0))) && all(lessThan(address.xy, ivec2(lookup.map_size)));
+}
+
+vec3 map_unproject(MapPoint p, vec2 uv, float depth) { return map_unproject_view(map_views[p.layer], uv, depth); }
+
+Ray map_ray(MapPoint p, vec2 uv) {
+  vec3 near = map_unproject(p, uv, 0.0);
+  return Ray(near, normalize(map_unproject(p, uv, 1.0) - near));
+}

@@ -1,0 +1,77 @@
+#include "shadow/parameterization/cascaded/slices.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_access.hpp>
+
+namespace shadewright::shadow {
+
+namespace {
+
+/// Steps of the grid per doubling. Finer steps waste less of a map and change more often.
+constexpr double steps_per_octave = 2;
+
+}  // namespace
+
+std::vector<DepthRange> split(const DepthRange& range, uint32_t count, double lambda) {
+  std::vector<DepthRange> slices;
+  double from = range.nearest;
+  for (uint32_t i = 1; i <= count; ++i) {
+    const double share = static_cast<double>(i) / count;
+    const double logarithmic = range.nearest * std::pow(range.farthest / range.nearest, share);
+    const double linear = range.nearest + (range.farthest - range.nearest) * share;
+    const double to = i == count ? range.farthest : lambda * logarithmic + (1 - lambda) * linear;
+    slices.push_back({from, to});
+    from = to;
+  }
+  return slices;
+}
+
+double round_up_to_grid(double size) {
+  return std::exp2(std::ceil(std::log2(size) * steps_per_octave) / steps_per_octave);
+}
+
+DepthRange widen_to_grid(const DepthRange& range) {
+  return {std::exp2(std::floor(std::log2(range.nearest) * steps_per_octave) / steps_per_octave),
+          round_up_to_grid(range.farthest)};
+}
+
+double view_depth(const render::CameraView& camera, const glm::dvec3& world) {
+  return glm::dot(glm::row(camera.clip_from_world, 3), glm::dvec4(world, 1.0));
+}
+
+DepthRange view_depths(const render::CameraView& camera, std::span<const glm::dvec3> points) {
+  DepthRange range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (const glm::dvec3& point : points) {
+    const double depth = view_depth(camera, point);
+    range.nearest = std::min(range.nearest, depth);
+    range.farthest = std::max(range.farthest, depth);
+  }
+  return range;
+}
+
+std::vector<Plane> slice_planes(const render::CameraView& camera, const DepthRange& slice) {
+  std::vector<Plane> planes = camera.planes();
+  const glm::dvec4 w = glm::row(camera.clip_from_world, 3);
+  const double length = glm::length(glm::dvec3(w));
+  const glm::dvec3 axis = glm::dvec3(w) / length;
+  planes.push_back({axis, (w.w - slice.nearest) / length});
+  planes.push_back({-axis, (slice.farthest - w.w) / length});
+  return planes;
+}
+
+Sphere slice_sphere(const render::CameraView& camera, const DepthRange& slice) {
+  const glm::dvec3 w(glm::row(camera.clip_from_world, 3));
+  const glm::dvec3 axis = glm::normalize(w);
+  const double nearest = slice.nearest / glm::length(w), farthest = slice.farthest / glm::length(w);
+  double tangent = 0;
+  for (const glm::dvec2 corner : {glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(0, 1), glm::dvec2(1, 1)}) {
+    const glm::dvec3 ray = camera.ray(corner * glm::dvec2(camera.width, camera.height));
+    tangent = std::max(tangent, glm::length(ray / glm::dot(ray, axis) - axis));
+  }
+  // Equally far from the near and the far corners, but never beyond the far plane.
+  const double along = std::min(farthest, 0.5 * (nearest + farthest) * (1 + tangent * tangent));
+  return {camera.eye() + along * axis, std::hypot(farthest - along, tangent * farthest)};
+}
+
+}  // namespace shadewright::shadow

@@ -1,0 +1,140 @@
+#include "shadow/storage/moments/moments.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+
+#include "shaders/blur_moments_comp.h"
+#include "shadow/lookup_shaders.h"
+
+namespace shadewright::shadow {
+
+namespace {
+
+struct BlurPush {
+  glm::ivec2 step;
+  int32_t radius, source_layer, target_layer;
+};
+
+/// A distance no caster or receiver exceeds, as light_distance.glsl measures it: what a texel without caster keeps.
+float farthest(const Frame& frame) {
+  double result = 0;
+  for (const Box& box : {frame.scene ? frame.scene->bounds() : Box{}, frame.draw_bounds})
+    if (!box.empty())
+      for (const glm::dvec3& corner : box.corners())
+        result = std::max(result, frame.light.kind == LightKind::directional
+                                      ? glm::dot(corner - frame.camera.eye(), frame.light.direction)
+                                      : glm::distance(corner, frame.light.position));
+  return static_cast<float>(result);
+}
+
+}  // namespace
+
+MomentsStorage::MomentsStorage(const gpu::Device& device, const StorageDesc& desc)
+    : device_(device),
+      radius_(desc.spec.takes("blur") ? static_cast<int32_t>(desc.spec.number("blur")) : 0),
+      sampler_(gpu::make_sampler(device, vk::Filter::eNearest)),
+      draws_(desc.extent.layers, desc.frames_in_flight) {
+  using Usage = vk::ImageUsageFlagBits;
+  const MapExtent& extent = desc.extent;
+  constexpr auto format = vk::Format::eR32G32Sfloat;
+  const auto usage = Usage::eColorAttachment | Usage::eSampled | Usage::eStorage | Usage::eTransferSrc;
+  map_ = gpu::Image(device, {"shadow map", format, extent.width, extent.height, extent.layers, usage, true});
+  depth_ = gpu::Image(
+      device, {"shadow depth", vk::Format::eD32Sfloat, extent.width, extent.height, 1, Usage::eDepthStencilAttachment});
+  if (radius_ > 0) {
+    row_ = gpu::Image(device,
+                      {"shadow blur", format, extent.width, extent.height, 1, Usage::eSampled | Usage::eStorage, true});
+    using enum gpu::BindingKind;
+    blur_ = gpu::ComputePass(device, shaders::blur_moments_comp, {sampled_image, storage_image}, sizeof(BlurPush));
+  }
+  gpu::GraphicsDesc pipeline = casters_shaders(desc.spec);
+  CasterDraws::describe(pipeline, desc.lookup_layout);
+  pipeline.colors = {format};
+  pass_ = gpu::GraphicsPass(device, pipeline);
+}
+
+void MomentsStorage::prepare(const Frame& frame, uint32_t slot, std::span<const MapView> views) {
+  draws_.prepare(frame, slot, views);
+}
+
+void MomentsStorage::record(const Frame& frame, uint32_t slot, std::span<const MapView> views,
+                            vk::DescriptorSet lookup_set, gpu::Recorder& recorder) {
+  draws_.cull(frame, slot, recorder);
+  recorder.stage("shadow map", [&](const vk::raii::CommandBuffer& commands) {
+    draw(commands, frame, views, lookup_set);
+    if (radius_ == 0) map_.transition(commands, vk::ImageLayout::eShaderReadOnlyOptimal);
+  });
+  if (radius_ > 0)
+    recorder.stage("blur", [&](const vk::raii::CommandBuffer& commands) {
+      blur(commands, views);
+      map_.transition(commands, vk::ImageLayout::eShaderReadOnlyOptimal);
+    });
+}
+
+void MomentsStorage::draw(const vk::raii::CommandBuffer& commands, const Frame& frame, std::span<const MapView> views,
+                          vk::DescriptorSet lookup_set) {
+  using Layout = vk::ImageLayout;
+  const vk::ClearValue empty(vk::ClearColorValue(farthest(frame), 0.0f, 0.0f, 0.0f));
+  map_.transition(commands, Layout::eColorAttachmentOptimal, true);
+  for (uint32_t index = 0; index < views.size(); ++index) {
+    if (!views[index].drawn) continue;
+    depth_.transition(commands, Layout::eDepthAttachmentOptimal, true);
+    const vk::RenderingAttachmentInfo color(map_.layer_view(views[index].layer), Layout::eColorAttachmentOptimal, {},
+                                            {}, {}, vk::AttachmentLoadOp::eClear, vk::AttachmentStoreOp::eStore, empty);
+    const vk::RenderingAttachmentInfo depth(depth_.view(), Layout::eDepthAttachmentOptimal, {}, {}, {},
+                                            vk::AttachmentLoadOp::eClear, vk::AttachmentStoreOp::eDontCare,
+                                            vk::ClearDepthStencilValue(1.0f, 0));
+    commands.beginRendering({{}, {{0, 0}, map_.extent()}, 1, 0, color, &depth});
+    draws_.draw(commands, frame, views[index], index, pass_, lookup_set);
+    commands.endRendering();
+  }
+}
+
+void MomentsStorage::blur(const vk::raii::CommandBuffer& commands, std::span<const MapView> views) {
+  using gpu::Binding;
+  using Layout = vk::ImageLayout;
+  const vk::Extent3D groups{gpu::groups(map_.desc().width, 64), map_.desc().height, 1};
+  const auto pass = [&](gpu::Image& source, gpu::Image& target, const BlurPush& push) {
+    source.transition(commands, Layout::eShaderReadOnlyOptimal);
+    target.transition(commands, Layout::eGeneral);
+    const Binding bindings[] = {Binding::sampled(source.view(), *sampler_), Binding::storage(target.view())};
+    blur_.dispatch(commands, bindings, gpu::bytes_of(push), groups);
+  };
+  for (const MapView& view : views) {
+    if (!view.drawn) continue;
+    const auto layer = static_cast<int32_t>(view.layer);
+    pass(map_, row_, {{1, 0}, radius_, layer, 0});
+    pass(row_, map_, {{0, 1}, radius_, 0, layer});
+  }
+}
+
+std::vector<gpu::Binding> MomentsStorage::lookup_bindings() const {
+  return {gpu::Binding::sampled(map_.view(), *sampler_)};
+}
+
+Picture MomentsStorage::debug_picture(std::string_view) {
+  const gpu::ImageDesc& desc = map_.desc();
+  std::vector<float> brightness;
+  for (uint32_t layer = 0; layer < desc.layers; ++layer) {
+    const auto bytes = gpu::read_back(device_, map_, 2 * sizeof(float), layer);
+    for (size_t at = 0; at < bytes.size(); at += 2 * sizeof(float)) {
+      std::memcpy(&brightness.emplace_back(), &bytes[at], sizeof(float));
+    }
+  }
+  gpu::submit_and_wait(
+      device_, [&](const auto& commands) { map_.transition(commands, vk::ImageLayout::eShaderReadOnlyOptimal); });
+  const auto [nearest, farthest] = std::minmax_element(brightness.begin(), brightness.end());
+  const float low = *nearest, range = std::max(*farthest - low, std::numeric_limits<float>::min());
+  for (float& distance : brightness) distance = 1.0f - (distance - low) / range;
+  return render::to_picture(brightness, desc.width, desc.height * desc.layers);
+}
+
+std::vector<Allocation> MomentsStorage::allocations() const {
+  std::vector<Allocation> result = draws_.allocations();
+  for (const gpu::Image* image : {&row_, &depth_, &map_})
+    if (*image) result.insert(result.begin(), image->allocation());
+  return result;
+}
+
+}  // namespace shadewright::shadow
