@@ -34,8 +34,10 @@ double node_visibility(const DagView& dag, const glm::uvec3& voxel, uint32_t hei
 /// Occupancy around a receiver, between the heights below and above `log2_side`.
 float occupancy_visibility(const DagView& dag, const LightGrid& light, const SurfacePoint& point, double log2_side) {
   const double side = std::clamp(log2_side, double(kSlabHeight), double(dag.log2_size - dag.log2_grid));
-  const glm::dvec3 at =
-      light.receiver_voxel(glm::dvec3(point.position), glm::dvec3(point.normal), uint32_t(std::exp2(side)));
+  const double half_node = 0.5 * std::exp2(side);
+  const glm::dvec3 world(point.position);
+  const glm::dvec3 clear = light.distant_receiver(world, glm::dvec3(point.normal), half_node);
+  const glm::dvec3 at = light.voxel(clear + light.towards_light(world) * (half_node * light.voxel_extent(world).z));
   const double size = light.size();
   if (!(at.x >= 0 && at.x < size && at.y >= 0 && at.y < size && at.z >= 0)) return 1.0f;
   const glm::uvec3 voxel(uint32_t(at.x), uint32_t(at.y), uint32_t(std::min(at.z, double(light.depth() - 1))));
@@ -65,17 +67,25 @@ void VoxelShadow::distant_visibility(std::span<const SurfacePoint> points, std::
       const double texels = double(footprints[i]) / std::sqrt(std::max(extent.x * extent.y, 1e-300));
       const bool far = texels > taps;  // false for what is not a number
       if (how == Distant::voaa && far) {
-        result[i] = occupancy_visibility(dags_[0], light(), points[i], std::log2(texels));
+        // Nodes stand on a grid, not around the receiver: half as wide as the pixel, they reach about as far.
+        result[i] = occupancy_visibility(dags_[0], light(), points[i], std::log2(0.5 * texels));
         continue;
       }
-      const double level = far ? std::ceil(std::log2(texels / taps)) : 0.0;
+      const double level = far ? std::floor(std::log2(texels / taps)) : 0.0;
       levels[size_t(std::min(level, double(levels.size() - 1)))].push_back(i);
     }
     std::vector<SurfacePoint> some;
     std::vector<float> answers;
     for (size_t level = 0; level < levels.size(); ++level) {
       some.clear();
-      for (const size_t i : levels[level]) some.push_back(points[i]);
+      for (const size_t i : levels[level]) {
+        some.push_back(points[i]);
+        if (level == 0) continue;
+        const LightGrid& coarse = lights[level];
+        some.back().position = glm::vec3(
+            coarse.distant_receiver(glm::dvec3(points[i].position), glm::dvec3(points[i].normal), 0.5 * taps));
+        some.back().normal = glm::vec3(0);  // half a voxel of depth is left to move
+      }
       answers.resize(some.size());
       look_up(dags_[level], lights[level], some, taps, answers);
       for (size_t i = 0; i < some.size(); ++i) result[levels[level][i]] = answers[i];

@@ -44,18 +44,23 @@ TEST_F(DistantLookup, NearPointsAreFilteredAsUsual) {
 }
 
 TEST_F(DistantLookup, PyramidFiltersTheCoarserDag) {
-  const std::vector<float> result = ask(float(11.0 * texel()), 3, Distant::mraa);  // ceil(log2(11 / 3)) = 2
+  const std::vector<float> result = ask(float(13.0 * texel()), 3, Distant::mraa);  // floor(log2(13 / 3)) = 2
   const LightGrid coarse = shadow_.light().halved().halved();
   const VoxelShadow second({coarse, 3, 0, false, false}, {shadow_.dags()[2]}, {{0}}, nullptr);
   std::vector<float> expected(points_.size());
-  second.visibility(points_, 3, expected);
+  std::vector<SurfacePoint> moved = points_;
+  for (SurfacePoint& point : moved)
+    point = {glm::vec3(coarse.distant_receiver(glm::dvec3(point.position), glm::dvec3(point.normal), 1.5)), {0, 0, 0}};
+  second.visibility(moved, 3, expected);
   EXPECT_EQ(result, expected);
 }
 
 TEST_F(DistantLookup, OccupancyIsTheShareOfVisibleVoxels) {
-  const std::vector<float> result = ask(float(16.0 * texel()), 3, Distant::voaa);
+  const std::vector<float> result = ask(float(32.0 * texel()), 3, Distant::voaa);  // nodes half as wide
   for (size_t i = 0; i < points_.size(); i += 10) {
-    const glm::dvec3 at = shadow_.light().receiver_voxel(glm::dvec3(points_[i].position), {0, 1, 0}, 16);
+    const LightGrid& light = shadow_.light();
+    const glm::dvec3 world(points_[i].position), up = light.towards_light(world);
+    const glm::dvec3 at = light.voxel(light.distant_receiver(world, {0, 1, 0}, 8) + up * (8 * light.voxel_depth));
     const glm::ivec3 corner = glm::ivec3(glm::floor(at)) & ~15;
     if (glm::any(glm::lessThan(corner, glm::ivec3(0))) || glm::any(glm::greaterThan(corner, glm::ivec3(496)))) continue;
     int lit = 0;

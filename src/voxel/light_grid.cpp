@@ -1,5 +1,6 @@
 #include "shadewright/voxel/light_grid.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace shadewright::voxel {
@@ -44,6 +45,17 @@ double LightGrid::receiver_offset(const glm::dvec3& world, const glm::dvec3& nor
 glm::dvec3 LightGrid::receiver_voxel(const glm::dvec3& world, const glm::dvec3& normal, uint32_t taps) const {
   const bool unknown = normal == glm::dvec3(0.0);
   return voxel(world + (unknown ? -direction() : normal) * receiver_offset(world, normal, taps));
+}
+
+glm::dvec3 LightGrid::towards_light(const glm::dvec3& world) const {
+  return kind == LightKind::spot ? glm::normalize(position() - world) : -direction();
+}
+
+glm::dvec3 LightGrid::distant_receiver(const glm::dvec3& world, const glm::dvec3& normal, double half_width) const {
+  constexpr double grazing = 0.1;
+  const glm::dvec3 extent = voxel_extent(world), n = glm::abs(light_from_world * normal), light = towards_light(world);
+  const double across = (half_width + kSlack) * (extent.x * n.x + extent.y * n.y);
+  return world + light * (across / std::max(std::abs(glm::dot(normal, light)), grazing));
 }
 
 LightGrid LightGrid::moved(const glm::dvec3& by) const {

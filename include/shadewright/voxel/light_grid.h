@@ -28,6 +28,8 @@ struct LightGrid {
 
   /// The way light travels (a spot: along its axis), world space, unit length.
   glm::dvec3 direction() const { return glm::transpose(light_from_world)[2]; }
+  /// Towards the light at a world point, unit length.
+  glm::dvec3 towards_light(const glm::dvec3& world) const;
   /// Where a spot light stands, world space.
   glm::dvec3 position() const;
   /// Metres of a voxel in z; of a spot, at distance 1 along its axis, growing with the distance's square.
@@ -43,6 +45,10 @@ struct LightGrid {
   double receiver_offset(const glm::dvec3& world, const glm::dvec3& normal, uint32_t taps) const;
   /// `world` moved by `receiver_offset` (towards the light for a zero normal), in voxel coordinates.
   glm::dvec3 receiver_voxel(const glm::dvec3& world, const glm::dvec3& normal, uint32_t taps) const;
+  /// Where a receiver whose pixel covers many texels is looked up: moved towards the light until nothing within
+  /// `half_width` voxels along x and y lies below its own plane (at grazing light, a cosine below 0.1, no farther). So
+  /// wide an offset along the normal would move the shadow's edge. A zero normal: stays. World space.
+  glm::dvec3 distant_receiver(const glm::dvec3& world, const glm::dvec3& normal, double half_width) const;
   /// The same in a world that was moved by `by`.
   LightGrid moved(const glm::dvec3& by) const;
   /// The same window with half as many voxels on every axis.

@@ -61,8 +61,9 @@ class VoxelShadow {
   void visibility(std::span<const SurfacePoint> points, uint32_t taps, std::span<float> result) const;
 
   /// As `visibility`, for points each of whose pixels has a footprint of `footprints[i]` metres (the square root of its
-  /// area). With a = footprint in texels: MRAA filters at level max(0, ceil(log2(a / taps))) of the pyramid, with the
-  /// offset of that level's texels; VOAA takes over where a > taps, at nodes of side a, with an offset of half a node.
+  /// area). With a = footprint in texels: MRAA filters at level max(0, floor(log2(a / taps))) of the pyramid;
+  /// VOAA takes over where a > taps, at nodes of side a / 2. Both move the receiver towards the light by
+  /// `LightGrid::distant_receiver`: held against ray tracing, a finer level and that way halve the paper's error.
   /// InputError as for `visibility`, and for MRAA without a pyramid.
   void distant_visibility(std::span<const SurfacePoint> points, std::span<const float> footprints, uint32_t taps,
                           Distant how, std::span<float> result) const;

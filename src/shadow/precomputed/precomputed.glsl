@@ -170,44 +170,66 @@ float dag_node_visibility(DagPlace dag, uvec3 voxel, uint height) {
   return node.at <= 1u ? float(node.at) : 1.0 - float(dag_word(dag.nodes + node.at) >> 16) / 65535.0;
 }
 
-// The voxel, in the finest DAG, of a receiver moved along its normal so that no tap of a `width` x `width` filter of voxels of
-// `voxel_size` reaches below its own plane. False before the volume and far beside it, where all is visible.
-bool receiver_voxel(vec3 world, vec3 normal, real width, real voxel_size, out ivec3 voxel) {
+// What a receiver's offset makes room for beyond the half of what is looked up: 1/32 voxel, see LightGrid::receiver_offset.
+const real receiver_slack = real(1.0) / real(32.0);
+// The cosine below which a distant receiver's offset towards the light grows no more.
+const float grazing = 0.1;
+
+// The voxel, in the finest DAG, of a point relative to `rows.origin`. False before the volume and far beside it, where all is
+// visible.
+bool voxel_at(real px, real py, real pz, out ivec3 voxel) {
+  real4 vx = rows.voxel[0], vy = rows.voxel[1], vz = rows.voxel[2], vw = rows.voxel[3];
+  precise real qx = (vx.x * px + vx.y * py) + (vx.z * pz + vx.w);
+  precise real qy = (vy.x * px + vy.y * py) + (vy.z * pz + vy.w);
+  precise real qz = (vz.x * px + vz.y * py) + (vz.z * pz + vz.w);
+  if (lookup.light_kind == light_spot) {
+    precise real w = (vw.x * px + vw.y * py) + (vw.z * pz + vw.w);
+    if (!(w > real(0.0))) return false;
+    qx = qx / w;
+    qy = qy / w;
+    qz = qz / w;
+  }
+  const real far_out = real(4e6);
+  if (!(abs(qx) < far_out) || !(abs(qy) < far_out) || !(qz > -far_out)) return false;
+  voxel = rows.base + ivec3(int(floor(qx)), int(floor(qy)), int(floor(min(qz, real(3e6)))));
+  return voxel.z >= 0;
+}
+
+// The distance along a spot's axis of a point relative to `rows.origin`; 1 for directional lights.
+real spot_distance(real px, real py, real pz) {
+  real4 vw = rows.voxel[3];
+  precise real w = (vw.x * px + vw.y * py) + (vw.z * pz + vw.w);
+  return lookup.light_kind == light_spot ? w : real(1.0);
+}
+
+// The voxel of a receiver moved along its normal, so that no tap of its filter reaches below its own plane.
+bool receiver_voxel(vec3 world, vec3 normal, out ivec3 voxel) {
   precise real px = world.x - rows.origin.x, py = world.y - rows.origin.y, pz = world.z - rows.origin.z;
   precise real nx = normal.x, ny = normal.y, nz = normal.z;
   real4 lx = rows.light[0], ly = rows.light[1], lz = rows.light[2];
   precise real ax = abs((lx.x * nx + lx.y * ny) + (lx.z * nz + lx.w));
   precise real ay = abs((ly.x * nx + ly.y * ny) + (ly.z * nz + ly.w));
   precise real az = abs((lz.x * nx + lz.y * ny) + (lz.z * nz + lz.w));
-  const real slack = real(1.0) / real(32.0);
-  precise real half_width = real(0.5) * width + slack;
-  precise real across = (half_width * (rows.reach_x * voxel_size)) * ax + (half_width * (rows.reach_y * voxel_size)) * ay;
-  precise real along = ((real(0.5) + slack) * (rows.reach_z * voxel_size)) * az;
-  real4 vx = rows.voxel[0], vy = rows.voxel[1], vz = rows.voxel[2], vw = rows.voxel[3];
-  bool spot = lookup.light_kind == light_spot;
-  if (spot) {
-    precise real w = (vw.x * px + vw.y * py) + (vw.z * pz + vw.w);
-    across = across * w;
-    along = along * (w * w);
-  }
+  precise real half_width = real(0.5) * real(taps) + receiver_slack;
+  precise real w = spot_distance(px, py, pz);
+  precise real across = ((half_width * rows.reach_x) * ax + (half_width * rows.reach_y) * ay) * w;
+  precise real along = (((real(0.5) + receiver_slack) * rows.reach_z) * az) * (w * w);
   precise real offset = across + along;
-  px = px + nx * offset;
-  py = py + ny * offset;
-  pz = pz + nz * offset;
-  precise real qx = (vx.x * px + vx.y * py) + (vx.z * pz + vx.w);
-  precise real qy = (vy.x * px + vy.y * py) + (vy.z * pz + vy.w);
-  precise real qz = (vz.x * px + vz.y * py) + (vz.z * pz + vz.w);
-  precise real w = real(1.0);
-  if (spot) {
-    w = (vw.x * px + vw.y * py) + (vw.z * pz + vw.w);
-    qx = qx / w;
-    qy = qy / w;
-    qz = qz / w;
-  }
-  const real far_out = real(4e6);
-  if (!(w > real(0.0)) || !(abs(qx) < far_out) || !(abs(qy) < far_out) || !(qz > -far_out)) return false;
-  voxel = rows.base + ivec3(int(floor(qx)), int(floor(qy)), int(floor(min(qz, real(3e6)))));
-  return voxel.z >= 0;
+  return voxel_at(px + nx * offset, py + ny * offset, pz + nz * offset, voxel);
+}
+
+// The voxel of a receiver whose pixel covers many texels, for a look-up that reaches `half_width` voxels along x and y and
+// `half_depth` along z. It moves towards the light, out of the filter's reach of its own plane: along the normal, as near
+// receivers do, so wide an offset would move the shadow's edge by half a pixel.
+bool distant_voxel(vec3 world, vec3 normal, real half_width, real half_depth, out ivec3 voxel) {
+  real px = world.x - rows.origin.x, py = world.y - rows.origin.y, pz = world.z - rows.origin.z;
+  vec3 to_light = lookup.light_kind == light_spot ? normalize(lookup.light_position - world) : -lookup.light_direction;
+  real4 lx = rows.light[0], ly = rows.light[1];
+  real w = spot_distance(px, py, pz);
+  real across = abs(lx.x * normal.x + lx.y * normal.y + lx.z * normal.z) * rows.reach_x +
+                abs(ly.x * normal.x + ly.y * normal.y + ly.z * normal.z) * rows.reach_y;
+  real offset = half_width * across * w / real(max(abs(dot(normal, to_light)), grazing)) + half_depth * rows.reach_z * w * w;
+  return voxel_at(px + to_light.x * offset, py + to_light.y * offset, pz + to_light.z * offset, voxel);
 }
 
 // The square root of a pixel's area in the light's texels, from the receiver's plane.
@@ -228,25 +250,34 @@ float receiver_footprint(vec3 world, vec3 normal) {
   return sqrt(patch_area * abs(dot(light, normal)) / (texel.x * texel.y));
 }
 
+float occupancy_visible(vec3 world, vec3 normal, float side) {
+  DagPlace dag = precomputed.dags[0];
+  float height = clamp(log2(side), float(dag_slab_height), float(dag.log2_size - dag.log2_grid));
+  real half_node = real(0.5) * real(exp2(height));
+  ivec3 voxel;
+  if (!distant_voxel(world, normal, half_node + receiver_slack, half_node, voxel)) return 1.0;
+  if (any(lessThan(voxel.xy, ivec2(0))) || any(greaterThanEqual(voxel.xy, ivec2(1 << dag.log2_size)))) return 1.0;
+  uvec3 inside = uvec3(voxel.xy, min(uint(voxel.z), precomputed.depth - 1u));
+  float fine = dag_node_visibility(dag, inside, uint(height)), between = fract(height);
+  return between == 0.0 ? fine : mix(fine, dag_node_visibility(dag, inside, uint(height) + 1u), between);
+}
+
 float filter_visible(vec3 world, vec4 plane) {
   vec3 normal = plane.xyz;
   uint level = 0u;
   if (far_mraa || far_voaa) {
-    float side = receiver_footprint(world, normal), excess = log2(side / float(taps));
-    if (far_mraa && excess > 0.0) level = uint(min(ceil(excess), float(precomputed.dag_count - 1u)));
-    if (far_voaa && excess > 0.0) {
-      DagPlace dag = precomputed.dags[0];
-      float height = clamp(log2(side), float(dag_slab_height), float(dag.log2_size - dag.log2_grid));
-      ivec3 voxel;
-      if (!receiver_voxel(world, normal, floor(real(exp2(height))), real(1.0), voxel)) return 1.0;
-      if (any(lessThan(voxel.xy, ivec2(0))) || any(greaterThanEqual(voxel.xy, ivec2(1 << dag.log2_size)))) return 1.0;
-      uvec3 inside = uvec3(voxel.xy, min(uint(voxel.z), precomputed.depth - 1u));
-      float fine = dag_node_visibility(dag, inside, uint(height)), between = fract(height);
-      return between == 0.0 ? fine : mix(fine, dag_node_visibility(dag, inside, uint(height) + 1u), between);
-    }
+    float side = receiver_footprint(world, normal);
+    // Nodes stand on a grid, not around the receiver: half as wide as the pixel, they reach about as far.
+    if (far_voaa && side > float(taps)) return occupancy_visible(world, normal, 0.5 * side);
+    if (far_mraa && side > float(taps))
+      level = uint(min(log2(side / float(taps)), float(precomputed.dag_count - 1u)));
   }
   ivec3 voxel;
-  if (!receiver_voxel(world, normal, real(taps), real(1 << level), voxel)) return 1.0;
+  real size = real(1 << level);
+  bool inside = level == 0u ? receiver_voxel(world, normal, voxel)
+                            : distant_voxel(world, normal, (real(0.5) * real(taps) + receiver_slack) * size,
+                                            (real(0.5) + receiver_slack) * size, voxel);
+  if (!inside) return 1.0;
   // A coarser DAG's voxels hold whole ones of the finest; shifts of negative numbers round down.
   voxel >>= int(level);
   return dag_filtered(precomputed.dags[level], voxel, min(uint(voxel.z), (precomputed.depth >> level) - 1u));
