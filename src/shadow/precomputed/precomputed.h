@@ -6,7 +6,8 @@
 // dynamic=(SPEC) adds a map technique that draws moving instances only: the least of both is what is lit.
 //
 // Differs from the paper: a filter's leaves are grouped by their parents, so that one rule serves all sizes up to
-// 17 x 17 where the paper has two orders for 9 x 9 and a table of eight for 17 x 17; the steps are the same.
+// 17 x 17 where the paper has two orders for 9 x 9 and a table of eight for 17 x 17; the steps are the same. On a CPU
+// device each leaf is walked on its own. Distant receivers move towards the light, not along the normal.
 #pragma once
 
 #include <memory>
