@@ -46,5 +46,6 @@ class Bench {
 };
 
 std::vector<BenchTable> bench_cpvs(Bench& bench);
+std::vector<BenchTable> bench_psm(Bench& bench);
 
 }  // namespace shadewright::app

@@ -54,6 +54,12 @@ std::vector<glm::dvec3> clip_polygon(const std::vector<glm::dvec3>& polygon, con
   return kept;
 }
 
+glm::dvec3 mean(const std::vector<glm::dvec3>& points) {
+  glm::dvec3 sum(0.0);
+  for (const glm::dvec3& p : points) sum += p;
+  return sum / static_cast<double>(points.size());
+}
+
 /// The convex polygon through `points` of `plane`, counter-clockwise seen from outside (against the plane's normal).
 std::vector<glm::dvec3> cap(std::vector<glm::dvec3> points, const Plane& plane) {
   const auto before = [](const glm::dvec3& a, const glm::dvec3& b) {
@@ -63,8 +69,7 @@ std::vector<glm::dvec3> cap(std::vector<glm::dvec3> points, const Plane& plane) 
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() < 3) return {};
 
-  glm::dvec3 center(0.0);
-  for (const glm::dvec3& p : points) center += p / static_cast<double>(points.size());
+  const glm::dvec3 center = mean(points);
   glm::dvec3 u, v;
   perpendicular_axes(-plane.normal, u, v);
   const auto angle = [&](const glm::dvec3& p) { return std::atan2(glm::dot(p - center, v), glm::dot(p - center, u)); };
@@ -137,6 +142,62 @@ Polytope clip(const Polytope& polytope, std::span<const Plane> planes) {
     result = clip(result, plane);
   }
   return result;
+}
+
+Polytope transform(const glm::dmat4& to_from, const Polytope& polytope) {
+  Polytope result = polytope;
+  for (Polytope::Face& face : result.faces) {
+    for (glm::dvec3& p : face.polygon) {
+      const glm::dvec4 q = to_from * glm::dvec4(p, 1.0);
+      p = glm::dvec3(q) / q.w;
+    }
+  }
+  const glm::dvec3 inside = mean(result.points());
+  for (Polytope::Face& face : result.faces) {
+    // Newell's normal serves a planar polygon whatever its corners. A map that mirrors turns the winding.
+    const glm::dvec3 center = mean(face.polygon);
+    glm::dvec3 normal(0.0);
+    for (size_t i = 0; i < face.polygon.size(); ++i)
+      normal -= glm::cross(face.polygon[i] - center, face.polygon[(i + 1) % face.polygon.size()] - center);
+    if (glm::dot(normal, inside - center) < 0) {
+      normal = -normal;
+      std::reverse(face.polygon.begin(), face.polygon.end());
+    }
+    const double length = glm::length(normal);
+    if (length > 0) face.plane = {normal / length, -glm::dot(normal, center) / length};
+  }
+  return result;
+}
+
+std::vector<Plane> hull_planes(const Polytope& polytope, const glm::dvec4& point) {
+  std::vector<Plane> planes;
+  const std::vector<glm::dvec3> corners = polytope.points();
+  const glm::dvec3 inside = mean(corners);
+  const double epsilon = 1e-9 * polytope.bounds().diagonal();
+  const auto holds_corners = [&](const Plane& plane) {
+    return std::all_of(corners.begin(), corners.end(),
+                       [&](const glm::dvec3& p) { return plane.distance(p) >= -epsilon; });
+  };
+  for (const Polytope::Face& face : polytope.faces) {
+    const double height = glm::dot(face.plane.normal, glm::dvec3(point)) + face.plane.offset * point.w;
+    if (height >= 0) {
+      planes.push_back(face.plane);
+      continue;
+    }
+    // The face is seen from the point, so it is inside the hull. Of the planes through the point and its edges those
+    // that have the polytope on one side bound the hull.
+    for (size_t i = 0; i < face.polygon.size(); ++i) {
+      const glm::dvec3 &a = face.polygon[i], &b = face.polygon[(i + 1) % face.polygon.size()];
+      const glm::dvec3 towards = glm::dvec3(point) - point.w * a;
+      const glm::dvec3 normal = glm::cross(b - a, towards);
+      const double length = glm::length(normal);
+      if (!(length > 1e-9 * glm::length(b - a) * glm::length(towards))) continue;
+      Plane plane{normal / length, -glm::dot(normal, a) / length};
+      if (plane.distance(inside) < 0) plane = {-plane.normal, -plane.offset};
+      if (holds_corners(plane)) planes.push_back(plane);
+    }
+  }
+  return planes;
 }
 
 std::vector<Plane> frustum_planes(const glm::dmat4& clip_from_space) {

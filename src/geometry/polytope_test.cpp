@@ -96,6 +96,55 @@ TEST(Polytope, BothSidesOfACutAddUpToTheWhole) {
   }
 }
 
+TEST(Polytope, StaysAPolytopeUnderAProjectiveMap) {
+  RandomNumbers random;
+  SCOPED_TRACE(random.trace());
+  for (int i = 0; i < 100; ++i) {
+    Polytope polytope = Polytope::from_box({{-1, -1, -30}, {1, 1, -2}});
+    polytope = clip(polytope, {random.direction(), 0.5});
+    if (polytope.empty()) continue;
+    const glm::dmat4 map = perspective_window({-1, -1}, {1, 1}, 1, 40);  // mirrors: y is flipped
+    const Polytope mapped = transform(map, polytope);
+    EXPECT_GT(volume(mapped), 0) << "faces still wind counter-clockwise";
+    const Polytope back = transform(glm::inverse(map), mapped);
+    EXPECT_NEAR(volume(back) / volume(polytope), 1, 1e-6);
+    for (const Plane& plane : mapped.planes())
+      for (const glm::dvec3& p : mapped.points()) EXPECT_GT(plane.distance(p), -1e-9);
+  }
+}
+
+TEST(Polytope, HullWithAPointHoldsBothAndNoMore) {
+  RandomNumbers random;
+  SCOPED_TRACE(random.trace());
+  for (int i = 0; i < 300; ++i) {
+    Polytope polytope = Polytope::from_box({glm::dvec3(-1), glm::dvec3(1)});
+    for (int cuts = 0; cuts < i % 4; ++cuts) polytope = clip(polytope, {random.direction(), random.number(0.1, 1)});
+    const bool at_infinity = i % 3 == 0;
+    // On faces, edges and inside too.
+    glm::dvec3 point = random.point(3);
+    if (i % 5 == 0) point.x = 1;
+    if (i % 10 == 0) point.y = 1;
+    const glm::dvec4 light = at_infinity ? glm::dvec4(random.direction(), 0) : glm::dvec4(point, 1);
+    const std::vector<Plane> planes = hull_planes(polytope, light);
+    const Polytope hull = clip(Polytope::from_box({glm::dvec3(-9), glm::dvec3(9)}), planes);
+    for (const glm::dvec3& p : polytope.points())
+      for (const double t : {0.0, 0.5, 1.0}) {
+        const glm::dvec3 between = at_infinity ? p + 8 * t * glm::dvec3(light) : glm::mix(p, point, t);
+        for (const Plane& plane : planes) EXPECT_GE(plane.distance(between), -1e-8);
+      }
+    // Every corner of a bounded hull is a corner of the polytope or the point.
+    if (at_infinity) continue;
+    const std::vector<glm::dvec3> corners = polytope.points();
+    for (const glm::dvec3& p : hull.points()) {
+      const bool known =
+          glm::length(p - point) < 1e-6 ||
+          std::any_of(corners.begin(), corners.end(), [&](const glm::dvec3& c) { return glm::length(p - c) < 1e-6; });
+      EXPECT_TRUE(known || i % 5 == 0) << i;
+    }
+  }
+  EXPECT_TRUE(hull_planes({}, {0, 1, 0, 0}).empty());
+}
+
 TEST(Frustum, PlanesAgreeWithTheClipVolume) {
   RandomNumbers random;
   SCOPED_TRACE(random.trace());

@@ -59,6 +59,13 @@ const std::vector<SpecKey>& all_keys() {
                  "by the fifth power, or 8 bits linear in the angle"),
       choice_key("recovery", "subpixel", {"on", "off"},
                  "off: receivers that neither their texel nor its neighbours decide are lit"),
+      choice_key("warp", "perspective", {"psm", "lispsm"},
+                 "how the matrix is chosen: perspective shadow maps, or light space ones (Wimmer 2004)"),
+      choice_key(
+          "shift", "perspective", {"best", "least"},
+          "of psm: the eye moves back to where texels are smallest in the image, or as little as the paper asks"),
+      choice_key("fit", "perspective", {"visible", "view"},
+                 "what receives: this frame's surface points, or without waiting what the camera's frustum holds"),
       whole_key("radius", "pcf", 0, 8, "1", "the filter's box reaches this many texels to each side"),
       whole_key("cascades", "cascaded", 1, 8, "4", "slices of the view, each with a map of its own"),
       number_key("lambda", "cascaded", 0, 1, "0.85", "where to split: lambda * logarithmic + (1 - lambda) * linear"),

@@ -40,6 +40,15 @@ Polytope clip(const Polytope& polytope, const Plane& plane);
 /// The part of `polytope` inside all `planes`.
 Polytope clip(const Polytope& polytope, std::span<const Plane> planes);
 
+/// `polytope` under a projective map whose w is positive on all of it. Faces keep their order; their planes are fitted to
+/// the mapped corners.
+Polytope transform(const glm::dmat4& to_from, const Polytope& polytope);
+
+/// Half-spaces whose intersection is the convex hull of `polytope` and a point: (position, 1), or (direction, 0) for a
+/// point at infinity. Where the point lies in the plane of a face or on the line of an edge, a half-space may be left
+/// out: the result is never too small. None for an empty polytope.
+std::vector<Plane> hull_planes(const Polytope& polytope, const glm::dvec4& point);
+
 /// The half-spaces of a Vulkan clip volume (-w <= x, y <= w, 0 <= z <= w) in the space that `clip_from_space` maps
 /// from. Planes at infinity (an infinite far plane) are left out. Order: left, right, top, bottom, z >= 0, z <= w.
 std::vector<Plane> frustum_planes(const glm::dmat4& clip_from_space);

@@ -4,10 +4,13 @@
 #include <filesystem>
 #include <fstream>
 
+#include "compare/study/pair_errors_for_test.h"
+
 #include "gpu/device_for_test.h"
 #include "shadewright/geometry/projection.h"
 #include "shadewright/scene/builtin.h"
 #include "shadewright/scene/points.h"
+#include "shadow/parameterization/perspective/random_pairs_for_test.h"
 
 namespace shadewright::compare {
 namespace {
@@ -70,6 +73,57 @@ TEST_F(StudyTest, PointsAreTheSameToTheMapAndTheTruth) {
     EXPECT_NEAR(study.report().reference_lit_fraction,
                 Study(device(), scene, camera, scene.lights.front(), small()).report().reference_lit_fraction, 0.03);
   }
+}
+
+TEST_F(StudyTest, PerspectiveHalvesTheErrorsOfAStreet) {
+  const Scene scene = make_builtin("street");
+  Study study(device(), scene, scene.cameras.front(), scene.lights.front(), small());
+  for (const char* resolution : {"512", "1024"}) {
+    const auto error = [&](const std::string& spec) { return run(study, (spec + resolution).c_str()).result.error; };
+    const ErrorFigures uniform = error("sm@"), perspective = error("psm@");
+    EXPECT_LE(2 * perspective.wrong, uniform.wrong);
+    EXPECT_LE(*perspective.oracle_fraction, 5e-4);
+    EXPECT_EQ(perspective.interior_false_shadow, 0u);
+  }
+  for (const char* spec : {"psm@512,warp=lispsm", "psm@512,shift=least", "psm@512,fit=view"}) {
+    const Outcome outcome = run(study, spec);
+    EXPECT_LE(*outcome.result.error.oracle_fraction, 5e-4) << spec;
+    EXPECT_LT(outcome.result.error.wrong, run(study, "sm@512").result.error.wrong) << spec;
+  }
+}
+
+/// A few of the pairs that benchmarks/psm_random_pairs runs by the thousand.
+TEST_F(StudyTest, PerspectiveIsRightForRandomCamerasAndLights) {
+  const Scene scene = make_builtin("spheres");
+  constexpr unsigned seed = 9;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  PairErrors errors(device(), scene, 160, 120, {"psm@128"});
+  shadow::RandomPairs pairs(bounds(scene), seed);
+  uint64_t compared = 0;
+  double oracle = 0;
+  for (int i = 0; i < 12; ++i) {
+    const auto [camera, light] = pairs.next();
+    const auto results = errors.run(camera, light);
+    compared += results.front().error.compared;
+    oracle += *results.front().error.oracle_fraction * static_cast<double>(results.front().error.compared);
+  }
+  EXPECT_LE(oracle, 5e-4 * static_cast<double>(compared));
+}
+
+TEST_F(StudyTest, PerspectiveSurvivesTheSkyAndLightFromBehindAndBefore) {
+  const Scene scene = make_builtin("spheres");
+  Camera camera = scene.cameras.front();
+  const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
+  for (const double sign : {1.0, -1.0}) {
+    Light light = scene.lights.front();
+    light.kind = LightKind::directional;
+    light.direction = sign * forward;
+    Study study(device(), scene, camera, light, {160, 90, 0, 1, true});
+    EXPECT_LE(*run(study, "psm@512").result.error.oracle_fraction, 2e-3);
+  }
+  camera.target = camera.eye + glm::dvec3(0, 5, 0.1);
+  Study sky(device(), scene, camera, scene.lights.front(), {160, 90, 0, 1, true});
+  EXPECT_EQ(run(sky, "psm@512").result.error.wrong, 0u);
 }
 
 TEST_F(StudyTest, EveryFitHoldsWhatIsSeen) {

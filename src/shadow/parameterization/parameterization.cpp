@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "shadow/parameterization/cascaded/cascaded.h"
+#include "shadow/parameterization/perspective/perspective.h"
 #include "shadow/parameterization/uniform/uniform.h"
 
 namespace shadewright::shadow {
@@ -13,6 +14,11 @@ std::unique_ptr<Parameterization> make_parameterization(const gpu::Device& devic
                                                         const TechniqueOptions& options) {
   if (spec.parameterization == "uniform") return std::make_unique<Uniform>(device, spec.resolution, spec.choice("fit"));
   if (spec.parameterization == "cascaded") return std::make_unique<Cascaded>(device, spec, options.frames_in_flight);
+  if (spec.parameterization == "perspective") {
+    const PerspectiveOptions perspective{spec.choice("warp") == "lispsm", spec.choice("shift") == "least",
+                                         spec.choice("fit") == "visible"};
+    return std::make_unique<Perspective>(device, spec.resolution, perspective, options.width, options.height);
+  }
   throw std::logic_error(fmt::format("parameterization '{}' has shaders but no class", spec.parameterization));
 }
 

@@ -1,0 +1,75 @@
+// Perspective against uniform maps on random cameras and lights (techniques.md, section 2): the ratio of wrong pixels,
+// and the oracle. Usage: psm_random_pairs [SCENE] [PAIRS] [SEED] [SPEC] [RESOLUTION] [WIDTHxHEIGHT]; PAIRS 0 = the
+// scene's own cameras and first light.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "compare/study/pair_errors_for_test.h"
+#include "shadewright/scene/load.h"
+#include "shadow/parameterization/perspective/random_pairs_for_test.h"
+
+using namespace shadewright;
+
+int main(int argc, char** argv) {
+  const auto argument = [&](int i, const char* standard) { return std::string(argc > i ? argv[i] : standard); };
+  const int pairs = std::stoi(argument(2, "1000"));
+  const auto seed = static_cast<unsigned>(std::stoul(argument(3, "2002")));
+  const std::string resolution = argument(5, "256"), size = argument(6, "160x120");
+  const auto width = static_cast<uint32_t>(std::stoul(size)),
+             height = static_cast<uint32_t>(std::stoul(size.substr(size.find('x') + 1)));
+  const Scene scene = load_scene(argument(1, "builtin:sandbox")).scene;
+  const gpu::Device device{gpu::DeviceOptions{}};
+  std::string spec = argument(4, "psm");
+  spec.insert(std::min(spec.find(','), spec.size()), "@" + resolution);
+  compare::PairErrors errors(device, scene, width, height, {"sm@" + resolution, spec});
+  shadow::RandomPairs random(bounds(scene), seed);
+  std::vector<double> ratios;
+  double log_sum = 0, worst_oracle = 0;
+  uint64_t wrong_uniform = 0, wrong = 0, oracle_wrong = 0, compared_total = 0;
+  int bad_oracles = 0, fallbacks = 0;
+  fmt::print("seed {}\n", seed);
+  const int own = static_cast<int>(scene.cameras.size());
+  for (int i = 0; i < (pairs > 0 ? pairs : own); ++i) {
+    auto [camera, light] = random.next();
+    if (pairs == 0) {
+      camera = scene.cameras[static_cast<size_t>(i)];
+      camera.near = near_distance(scene, camera);
+      light = scene.lights.front();
+    }
+    const auto results = errors.run(camera, light);
+    const auto &uniform = results[0].error, &perspective = results[1].error;
+    if (perspective.compared < width * height / 50) continue;
+    // One pixel more each, so that a view without an error counts as one.
+    const double ratio = (static_cast<double>(perspective.wrong) + 1) / (static_cast<double>(uniform.wrong) + 1);
+    const double oracle = perspective.oracle_fraction.value_or(1);
+    ratios.push_back(ratio);
+    log_sum += std::log(ratio);
+    wrong += perspective.wrong;
+    wrong_uniform += uniform.wrong;
+    compared_total += perspective.compared;
+    oracle_wrong += static_cast<uint64_t>(std::lround(oracle * static_cast<double>(perspective.compared)));
+    worst_oracle = std::max(worst_oracle, oracle);
+    // Half a pixel's allowance: one pixel of a small image is more than 0.0005.
+    bad_oracles += oracle * static_cast<double>(perspective.compared) >
+                   std::max(1.5, 5e-4 * static_cast<double>(perspective.compared));
+    fallbacks += results[1].counters.at("fallback").front() > 0;
+    fmt::print(
+        "{} kind {} compared {} wrong {} -> {} ratio {:.2f} oracle {:.5f} (uniform {:.5f}) gain {:.2f} fallback {}\n",
+        i, static_cast<int>(light.kind), perspective.compared, uniform.wrong, perspective.wrong, ratio, oracle,
+        uniform.oracle_fraction.value_or(1),
+        results[1].counters.at("gain").empty() ? 0.0 : results[1].counters.at("gain").front(),
+        results[1].counters.at("fallback").front());
+    std::fflush(stdout);
+  }
+  std::sort(ratios.begin(), ratios.end());
+  const size_t count = ratios.size();
+  if (count == 0) return 1;
+  fmt::print(
+      "{} pairs: wrong {} -> {}, ratio geometric mean {:.3f}, median {:.3f}, 95th percentile {:.3f}, worst {:.2f}; "
+      "oracle overall {:.6f}, worst {:.5f}, above bar {}; with fallback {}\n",
+      count, wrong_uniform, wrong, std::exp(log_sum / static_cast<double>(count)), ratios[count / 2],
+      ratios[count * 95 / 100], ratios.back(), static_cast<double>(oracle_wrong) / static_cast<double>(compared_total),
+      worst_oracle, bad_oracles, fallbacks);
+}

@@ -1,0 +1,99 @@
+// The error of several techniques on many cameras and lights of one scene, whose device copy and tracer are kept.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "shadewright/compare/metrics.h"
+#include "shadewright/render/camera_pass.h"
+#include "shadewright/shadow/technique.h"
+
+namespace shadewright::compare {
+
+class PairErrors {
+ public:
+  PairErrors(const gpu::Device& device, const Scene& scene, uint32_t width, uint32_t height,
+             const std::vector<std::string>& specs)
+      : device_(device),
+        width_(width),
+        height_(height),
+        scene_(device, scene),
+        tracer_(scene),
+        camera_pass_(scene_, width, height, false) {
+    for (const std::string& spec : specs)
+      techniques_.push_back(shadow::make_technique(device, shadow::parse_spec(spec), {width, height, 1, true}));
+  }
+
+  struct Result {
+    ErrorFigures error;
+    shadow::Counters counters;
+  };
+  /// One result a technique.
+  std::vector<Result> run(const Camera& camera, const Light& light) {
+    shadow::Frame frame;
+    frame.scene = &scene_;
+    frame.camera = render::make_view(camera, camera.near, width_, height_);
+    frame.light = light;
+    {
+      gpu::Recorder recorder(device_);
+      camera_pass_.record(recorder, frame.camera);
+      recorder.finish();
+    }
+    const auto points = camera_pass_.surface_points(frame.camera);
+    frame.depth = camera_pass_.depth().view();
+    frame.normal = camera_pass_.normal().view();
+    const std::vector<uint8_t> facing = facing_light(points, light);
+    const std::vector<uint8_t> reference = tracer_.visible(points, glm::vec3(camera.eye), light, width_);
+    std::vector<Result> results;
+    for (const auto& technique : techniques_) {
+      gpu::Recorder recorder(device_);
+      technique->prepare(frame, recorder);
+      technique->record(frame, recorder);
+      recorder.finish();
+      std::vector<float> visibility;
+      for (const std::byte value : gpu::read_back(device_, technique->visibility(), 1))
+        visibility.push_back(static_cast<float>(std::to_integer<uint8_t>(value)) / 255.0f);
+      const auto rays = technique->oracle_rays(frame);
+      const std::vector<uint8_t> oracle = free_segments(rays->origins, facing, light);
+      MetricsInput input;
+      input.width = width_;
+      input.height = height_;
+      input.points = points;
+      input.eye = glm::vec3(camera.eye);
+      input.facing = facing;
+      input.visibility = visibility;
+      input.reference = reference;
+      input.oracle = oracle;
+      input.texel_u = rays->texel_u;
+      input.texel_v = rays->texel_v;
+      results.push_back({measure_error(input, tracer_, light), technique->counters()});
+    }
+    return results;
+  }
+
+ private:
+  std::vector<uint8_t> free_segments(const std::vector<glm::vec3>& origins, const std::vector<uint8_t>& facing,
+                                     const Light& light) const {
+    std::vector<Segment> segments(origins.size());
+    for (size_t i = 0; i < origins.size(); ++i) {
+      if (facing[i] == 0 || !std::isfinite(origins[i].x)) continue;
+      if (light.kind == LightKind::directional)
+        segments[i] = {origins[i], std::numeric_limits<float>::infinity(), -glm::vec3(light.direction), 1};
+      else
+        segments[i] = {origins[i], 1.0f, glm::vec3(light.position) - origins[i], 1};
+    }
+    return tracer_.unoccluded(segments, width_);
+  }
+
+  const gpu::Device& device_;
+  uint32_t width_, height_;
+  render::SceneGpu scene_;
+  Tracer tracer_;
+  render::CameraPass camera_pass_;
+  std::vector<std::unique_ptr<shadow::Technique>> techniques_;
+};
+
+}  // namespace shadewright::compare

@@ -1,0 +1,107 @@
+#include "shadow/parameterization/perspective/perspective.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/shared.h"
+#include "shaders/visible_comp.h"
+#include "shadow/shared.h"
+
+namespace shadewright::shadow {
+
+namespace {
+
+uint32_t shared_kind(LightKind kind) {
+  return kind == LightKind::directional ? shared::light_directional
+         : kind == LightKind::spot      ? shared::light_spot
+                                        : shared::light_point;
+}
+
+}  // namespace
+
+Perspective::Perspective(const gpu::Device& device, uint32_t resolution, const PerspectiveOptions& options,
+                         uint32_t width, uint32_t height)
+    : options_(options), resolution_(resolution), grid_(tile_grid(width, height)) {
+  if (!options.from_buffers) return;
+  using enum gpu::BindingKind;
+  reduce_ =
+      gpu::ComputePass(device, shaders::visible_comp, {uniform_buffer, sampled_image, sampled_image, storage_buffer},
+                       sizeof(shared::TileConstants));
+  sampler_ = gpu::make_sampler(device, vk::Filter::eNearest);
+  camera_ = gpu::Buffer(device, "perspective camera", sizeof(shared::CameraData), gpu::HostAccess::write);
+  tiles_ = gpu::Buffer(device, "visible tiles", grid_.columns * grid_.rows * sizeof(shared::VisibleTile),
+                       gpu::HostAccess::read);
+}
+
+void Perspective::prepare(const Frame& frame, gpu::Recorder& recorder) {
+  const Receivers receivers = find_receivers(frame, recorder);
+  recorder.cpu_stage("perspective", [&] { choose_views(frame, receivers); });
+}
+
+Receivers Perspective::find_receivers(const Frame& frame, gpu::Recorder& recorder) {
+  Receivers receivers;
+  if (!options_.from_buffers) {
+    recorder.cpu_stage("receivers", [&] { receivers = bounded_receivers(frame); });
+    return receivers;
+  }
+  camera_.mapped<shared::CameraData>()[0] = render::camera_data(frame.camera);
+  const shared::TileConstants constants{grid_.side,
+                                        grid_.columns,
+                                        shared_kind(frame.light.kind),
+                                        static_cast<float>(std::cos(frame.light.outer_angle)),
+                                        glm::vec3(frame.light.position),
+                                        glm::vec3(frame.light.direction)};
+  recorder.stage("visible depth", [&](const vk::raii::CommandBuffer& commands) {
+    using gpu::Binding;
+    const Binding bindings[] = {Binding::uniform(camera_), Binding::sampled(frame.depth, *sampler_),
+                                Binding::sampled(frame.normal, *sampler_), Binding::storage(tiles_)};
+    reduce_.dispatch(commands, bindings, gpu::bytes_of(constants), {grid_.columns, grid_.rows, 1});
+  });
+  recorder.wait();
+  recorder.cpu_stage("receivers", [&] {
+    const auto tiles = tiles_.mapped<shared::VisibleTile>().first(size_t{grid_.columns} * grid_.rows);
+    receivers = visible_receivers(frame.camera, tiles, grid_);
+  });
+  return receivers;
+}
+
+void Perspective::choose_views(const Frame& frame, const Receivers& receivers) {
+  const WarpOptions options{options_.light_space, options_.least_shift, resolution_};
+  Box scene = frame.draw_bounds;
+  if (frame.scene) scene.extend(frame.scene->bounds());
+  views_.clear();
+  double drawn = 0, fallback = 0;
+  std::vector<double> shifts, gains;
+  const std::vector<LightFrame> lights = light_frames(frame.light);
+  for (uint32_t layer = 0; layer < lights.size(); ++layer) {
+    const Warp warp = choose_warp(frame.light, lights[layer], CameraMap(frame.camera), receivers, scene, options);
+    MapView view;
+    view.layer = layer;
+    view.viewport = vk::Rect2D({0, 0}, {resolution_, resolution_});
+    view.drawn = warp.drawn;
+    view.light_from_world = warp.light_from_world;
+    if (view.drawn) {
+      view.casters = caster_planes(view, frame.camera, frame.light, true);
+      drawn += 1;
+      fallback += warp.fallback;
+      shifts.push_back(warp.shift);
+      gains.push_back(warp.gain);
+    }
+    views_.push_back(std::move(view));
+  }
+  const auto resolution = static_cast<double>(resolution_);
+  counters_ = {{"effective_resolution", {resolution, resolution}},
+               {"views", {drawn}},
+               {"fallback", {fallback}},
+               {"near", {receivers.nearest}},
+               {"far", {receivers.farthest}},
+               {"shift", std::move(shifts)},
+               {"gain", std::move(gains)}};
+}
+
+std::vector<Allocation> Perspective::allocations() const {
+  if (!options_.from_buffers) return {};
+  return {camera_.allocation(), tiles_.allocation()};
+}
+
+}  // namespace shadewright::shadow

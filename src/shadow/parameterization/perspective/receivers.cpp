@@ -1,0 +1,195 @@
+#include "shadow/parameterization/perspective/receivers.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/gtc/matrix_access.hpp>
+
+#include "shadow/parameterization/uniform/fit.h"
+
+namespace shadewright::shadow {
+
+namespace {
+
+/// What float depths are off by, relative, with room.
+constexpr double depth_slack = 4e-6;
+/// What pixel coordinates may be off by, normalized device coordinates.
+constexpr double image_slack = 1e-5;
+
+/// Normals of the bounding polytope in post-perspective space, each with its opposite. Ground and walls are slanted
+/// planes there, hence the many that lean in depth.
+constexpr std::array<std::array<int, 3>, 21> hull_normals{
+    {{1, 0, 0},  {0, 1, 0},  {0, 0, 1},  {1, 1, 0},  {1, -1, 0}, {1, 0, 1},  {1, 0, -1},
+     {0, 1, 1},  {0, 1, -1}, {1, 1, 1},  {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}, {0, 1, 2},
+     {0, 1, -2}, {0, 2, 1},  {0, 2, -1}, {1, 0, 2},  {1, 0, -2}, {2, 0, 1},  {2, 0, -1}}};
+
+/// The polytope with the normals above that holds `boxes`, which are in [-1, 1]^3.
+Polytope bounding_polytope(std::span<const Box> boxes) {
+  Box bounds;
+  for (const Box& box : boxes) bounds.extend(box);
+  // A polytope needs a volume.
+  const glm::dvec3 half = glm::max(0.5 * bounds.size(), glm::dvec3(image_slack));
+  Polytope polytope = Polytope::from_box({bounds.center() - half, bounds.center() + half});
+  for (size_t i = 3; i < hull_normals.size(); ++i) {
+    const glm::dvec3 direction(hull_normals[i][0], hull_normals[i][1], hull_normals[i][2]);
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Box& box : boxes) {
+      const double middle = glm::dot(direction, box.center());
+      const double reach = 0.5 * glm::dot(glm::abs(direction), box.size());
+      low = std::min(low, middle - reach);
+      high = std::max(high, middle + reach);
+    }
+    const double length = glm::length(direction);
+    polytope = clip(polytope, {direction / length, image_slack - low / length});
+    polytope = clip(polytope, {-direction / length, image_slack + high / length});
+  }
+  return polytope;
+}
+
+/// Finds the hull of the boxes.
+void bound(Receivers& receivers, const CameraMap& camera) {
+  receivers.world_from_post = glm::inverse(camera.post_perspective(receivers.nearest, receivers.farthest, 0.0));
+  receivers.hull = transform(receivers.world_from_post, bounding_polytope(receivers.boxes));
+}
+
+/// z of CameraMap::post_perspective at a view depth.
+double post_depth(const Receivers& receivers, double depth) {
+  const double near = receivers.nearest, far = receivers.farthest;
+  return ((far + near) * depth - 2 * far * near) / ((far - near) * depth);
+}
+
+}  // namespace
+
+CameraMap::CameraMap(const render::CameraView& camera)
+    : x(glm::row(camera.clip_from_world, 0)),
+      y(glm::row(camera.clip_from_world, 1)),
+      w(glm::row(camera.clip_from_world, 3)) {
+  const double scale = glm::length(glm::dvec3(w));
+  x /= scale;
+  y /= scale;
+  w /= scale;
+}
+
+glm::dmat4 CameraMap::post_perspective(double near, double far, double shift) const {
+  const double n = near + shift, f = far + shift;
+  const glm::dvec4 depth = w + glm::dvec4(0, 0, 0, shift);
+  const glm::dvec4 z = ((f + n) * depth - glm::dvec4(0, 0, 0, 2 * f * n)) / (f - n);
+  return glm::transpose(glm::dmat4(x, y, z, depth));
+}
+
+TileGrid tile_grid(uint32_t width, uint32_t height) {
+  const uint32_t side = std::max({8u, (width + 79) / 80, (height + 47) / 48});
+  return {side, (width + side - 1) / side, (height + side - 1) / side};
+}
+
+namespace {
+
+/// Rays of all pixels: linear in the pixel.
+struct PixelRays {
+  explicit PixelRays(const render::CameraView& camera)
+      : eye(camera.eye()),
+        first(camera.ray({0, 0})),
+        right(camera.ray({1, 0}) - first),
+        down(camera.ray({0, 1}) - first) {}
+  glm::dvec3 eye, first, right, down;
+};
+
+/// The surface point through `pixel` at `depth` with `normal`, unless it is seen edge-on.
+void append_sample(std::vector<ReceiverSample>& samples, const PixelRays& rays, const glm::dvec2& pixel, double depth,
+                   const glm::dvec3& normal) {
+  const glm::dvec3 ray = rays.first + pixel.x * rays.right + pixel.y * rays.down;
+  const double facing = glm::dot(normal, ray);
+  if (!(std::abs(facing) > 1e-3 * glm::length(ray))) return;
+  const auto step = [&](const glm::dvec3& turn) { return depth * (turn - ray * (glm::dot(normal, turn) / facing)); };
+  samples.push_back({rays.eye + depth * ray, normal, depth, step(rays.right), step(rays.down)});
+}
+
+}  // namespace
+
+Receivers visible_receivers(const render::CameraView& camera, std::span<const shared::VisibleTile> tiles,
+                            const TileGrid& grid) {
+  Receivers receivers;
+  double near = std::numeric_limits<double>::infinity(), far = 0, light = near;
+  for (const shared::VisibleTile& tile : tiles) {
+    if (tile.nearest > tile.farthest) continue;
+    near = std::min(near, static_cast<double>(tile.nearest));
+    far = std::max(far, static_cast<double>(tile.farthest));
+    light = std::min(light, static_cast<double>(tile.light_distance));
+  }
+  if (!(near <= far)) return receivers;
+  receivers.nearest = near * (1 - depth_slack);
+  receivers.farthest = std::max(far * (1 + depth_slack), near * (1 + 1e-4));
+  receivers.light_distance = light;
+
+  const PixelRays rays(camera);
+  const uint32_t sample_stride = grid.columns * grid.rows > 1000 ? 2 : 1;  // some hundred samples suffice
+  const glm::dvec2 size(camera.width, camera.height);
+  for (uint32_t row = 0; row < grid.rows; ++row)
+    for (uint32_t column = 0; column < grid.columns; ++column) {
+      const shared::VisibleTile& tile = tiles[row * grid.columns + column];
+      if (tile.nearest > tile.farthest) continue;
+      const glm::dvec2 first(column * grid.side, row * grid.side);
+      const glm::dvec2 end = glm::min(first + static_cast<double>(grid.side), size);
+      const glm::dvec2 low = 2.0 * (first + 0.5) / size - 1.0 - image_slack;
+      const glm::dvec2 high = 2.0 * (end - 0.5) / size - 1.0 + image_slack;
+      receivers.boxes.push_back({{low, post_depth(receivers, tile.nearest * (1 - depth_slack))},
+                                 {high, post_depth(receivers, tile.farthest * (1 + depth_slack))}});
+      if (tile.depth > 0 && row % sample_stride == 0 && column % sample_stride == 0)
+        append_sample(receivers.samples, rays, glm::floor(0.5 * (first + end)) + 0.5, tile.depth,
+                      glm::dvec3(tile.normal));
+    }
+  bound(receivers, CameraMap(camera));
+  return receivers;
+}
+
+Receivers bounded_receivers(const Frame& frame) {
+  Receivers receivers;
+  const std::vector<Plane> planes = frame.camera.planes();
+  const std::vector<glm::dvec3> points = receiver_points(frame, planes);
+  if (points.empty()) return receivers;
+  const CameraMap camera(frame.camera);
+  double near = std::numeric_limits<double>::infinity(), far = 0;
+  for (const glm::dvec3& point : points) {
+    const double depth = glm::dot(camera.w, glm::dvec4(point, 1));
+    near = std::min(near, depth);
+    far = std::max(far, depth);
+  }
+  receivers.nearest = near * (1 - depth_slack);
+  receivers.farthest = std::max(far * (1 + depth_slack), near * (1 + 1e-4));
+  const PixelRays rays(frame.camera);
+  for (const glm::dvec3& point : points) {
+    const glm::dvec4 p(point, 1);
+    const double depth = glm::dot(camera.w, p);
+    const glm::dvec2 image(glm::dot(camera.x, p) / depth, glm::dot(camera.y, p) / depth);
+    const glm::dvec3 post(image, post_depth(receivers, depth));
+    receivers.boxes.push_back({post - image_slack, post + image_slack});
+    const glm::dvec3 to_light =
+        frame.light.kind == LightKind::directional ? -frame.light.direction : frame.light.position - point;
+    if (glm::length(to_light) > 0)
+      append_sample(receivers.samples, rays, 0.5 * (image + 1.0) * glm::dvec2(frame.camera.width, frame.camera.height),
+                    depth, glm::normalize(to_light));
+  }
+  bound(receivers, camera);
+  return receivers;
+}
+
+Receivers inside(const Receivers& receivers, std::span<const Plane> planes) {
+  Receivers result = receivers;
+  result.hull = clip(receivers.hull, planes);
+  const glm::dmat4 transposed = glm::transpose(receivers.world_from_post);
+  for (const Plane& plane : planes) {
+    // The same half-space in post-perspective space, where receivers have a positive w.
+    const glm::dvec4 row = transposed * glm::dvec4(plane.normal, plane.offset);
+    std::erase_if(result.boxes, [&](const Box& box) {
+      const glm::dvec3 normal(row);
+      return glm::dot(normal, box.center()) + 0.5 * glm::dot(glm::abs(normal), box.size()) + row.w < 0;
+    });
+  }
+  std::erase_if(result.samples, [&](const ReceiverSample& sample) {
+    return std::any_of(planes.begin(), planes.end(),
+                       [&](const Plane& plane) { return plane.distance(sample.world) < 0; });
+  });
+  return result;
+}
+
+}  // namespace shadewright::shadow

@@ -1,0 +1,59 @@
+// What the camera sees that may receive shadows: found on the device as depth ranges of tiles, kept as points, their
+// convex hull, and sampled surface points.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "shadewright/geometry/polytope.h"
+#include "shadewright/shadow/technique.h"
+#include "shadow/parameterization/perspective/visible.h"
+
+namespace shadewright::shadow {
+
+/// The camera's perspective transform. Rows of a 4x4 matrix from the world: (x, y, w) is the image in normalized device
+/// coordinates, w the view depth in metres.
+struct CameraMap {
+  glm::dvec4 x, y, w;
+
+  explicit CameraMap(const render::CameraView& camera);
+  glm::dvec3 forward() const { return glm::dvec3(w); }
+  /// The whole transform: z runs from -1 at view depth `near` to 1 at `far`. `shift` is how far the eye is moved back.
+  glm::dmat4 post_perspective(double near, double far, double shift) const;
+};
+
+/// A visible surface point.
+struct ReceiverSample {
+  glm::dvec3 world, normal;
+  double depth;            ///< view depth, metres
+  glm::dvec3 right, down;  ///< how far a step of one pixel in the image moves it along its own plane
+};
+
+/// Empty hull: nothing is visible.
+struct Receivers {
+  double nearest = 0, farthest = 0;  ///< view depths
+  double light_distance = 0;         ///< no receiver is nearer to a light with a position, along its axis
+  glm::dmat4 world_from_post{1.0};   ///< inverse of the camera's post_perspective(nearest, farthest, 0)
+  std::vector<Box> boxes;            ///< hold every receiver, in that post-perspective space
+  Polytope hull;                     ///< holds every receiver, few faces
+  std::vector<ReceiverSample> samples;
+};
+
+/// A grid of square tiles over an image: at most about 4,000.
+struct TileGrid {
+  uint32_t side, columns, rows;
+};
+TileGrid tile_grid(uint32_t width, uint32_t height);
+
+/// Receivers that the camera sees, from its buffers.
+Receivers visible_receivers(const render::CameraView& camera, std::span<const shared::VisibleTile> tiles,
+                            const TileGrid& grid);
+/// Receivers that it may see, without its buffers: what its frustum holds of each instance's bounds. They are sampled
+/// as if they faced the light.
+Receivers bounded_receivers(const Frame& frame);
+
+/// The part inside `planes`, for one face of a light: hull and samples, and the boxes that
+/// reach inside.
+Receivers inside(const Receivers& receivers, std::span<const Plane> planes);
+
+}  // namespace shadewright::shadow

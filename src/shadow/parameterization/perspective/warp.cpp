@@ -1,0 +1,360 @@
+#include "shadow/parameterization/perspective/warp.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/gtc/matrix_access.hpp>
+#include <limits>
+#include <numbers>
+
+#include "shadewright/geometry/projection.h"
+
+namespace shadewright::shadow {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// The nearest a lamp looks, as a share of the farthest receiver's distance.
+constexpr double near_share = 1e-4;
+/// The least w in a map, as a share of the largest: beyond that floats lose the texel.
+constexpr double least_w = 1e-4;
+/// Room before the nearest and behind the farthest receiver, as a share of the depth range: clamped casters stay before
+/// receivers.
+constexpr double depth_margin = 0.01;
+/// The share of the map's depths kept before the nearest receiver: a grazing receiver's bias must not reach what is
+/// clamped there, or the casters nearer to the light are lost to it. A share of w, it is as far everywhere as the scale
+/// there asks.
+constexpr double depth_before = 0.5;
+/// A texel larger than this in the image, pixels, counts half of what it would.
+constexpr double large_footprint = 64;
+
+double along(const glm::dvec4& row, const glm::dvec3& point) {
+  return glm::dot(row, glm::dvec4(point, 1.0));
+}
+
+glm::dvec4 distance_row(const LightFrame& light) {
+  return -glm::row(light.view_from_world, 2);
+}
+
+/// Corners without repetition.
+std::vector<glm::dvec3> corners_of(const Polytope& polytope) {
+  std::vector<glm::dvec3> points = polytope.points();
+  const auto before = [](const glm::dvec3& a, const glm::dvec3& b) {
+    return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
+  };
+  std::sort(points.begin(), points.end(), before);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
+}
+
+struct Rectangle {
+  glm::dvec2 low{infinity}, high{-infinity};
+  void extend(const glm::dvec2& p) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  glm::dvec2 size() const { return high - low; }
+  glm::dvec2 center() const { return 0.5 * (low + high); }
+};
+
+/// The turn of unit axes, of 32 within a right angle, that gives `points` the smallest bounding rectangle.
+glm::dvec2 smallest_turn(std::span<const glm::dvec2> points) {
+  constexpr int angles = 32;
+  glm::dvec2 best(1, 0);
+  double smallest = infinity;
+  for (int a = 0; a < angles; ++a) {
+    const double angle = 0.5 * std::numbers::pi * a / angles;
+    const glm::dvec2 axis(std::cos(angle), std::sin(angle));
+    Rectangle bounds;
+    for (const glm::dvec2& p : points) bounds.extend({glm::dot(axis, p), axis.x * p.y - axis.y * p.x});
+    const double area = bounds.size().x * bounds.size().y;
+    if (area < smallest * (1 - 1e-9)) {
+      smallest = area;
+      best = axis;
+    }
+  }
+  return best;
+}
+
+/// Bounds of the image of the receivers' boxes; everything where not all of them are in front.
+Rectangle bounding_rectangle(const Projection& projection, const Receivers& receivers) {
+  const glm::dmat4 transposed = glm::transpose(receivers.world_from_post);
+  const glm::dvec4 x = transposed * projection.x, y = transposed * projection.y, w = transposed * projection.w;
+  Rectangle bounds;
+  for (const Box& box : receivers.boxes) {
+    const glm::dvec3 center = box.center(), half = 0.5 * box.size();
+    const glm::dvec3 middle(along(x, center), along(y, center), along(w, center));
+    const glm::dvec3 across = half.x * glm::dvec3(x.x, y.x, w.x), down = half.y * glm::dvec3(x.y, y.y, w.y),
+                     deep = half.z * glm::dvec3(x.z, y.z, w.z);
+    for (const glm::dvec3& a : {middle - across, middle + across})
+      for (const glm::dvec3& b : {a - down, a + down})
+        for (const glm::dvec3& c : {b - deep, b + deep}) {
+          if (!(c.z > 0)) return {glm::dvec2(-infinity), glm::dvec2(infinity)};
+          bounds.extend(glm::dvec2(c) / c.z);
+        }
+  }
+  return bounds;
+}
+
+}  // namespace
+
+glm::dvec4 homogeneous_position(const Light& light) {
+  return light.kind == LightKind::directional ? glm::dvec4(-light.direction, 0.0) : glm::dvec4(light.position, 1.0);
+}
+
+Projection uniform_projection(const LightFrame& light) {
+  return {glm::row(light.view_from_world, 0), glm::row(light.view_from_world, 1),
+          light.perspective ? distance_row(light) : glm::dvec4(0, 0, 0, 1)};
+}
+
+Projection perspective_projection(const glm::dvec4& light, const CameraMap& camera, const Receivers& receivers,
+                                  double shift) {
+  const glm::dmat4 post_from_world = camera.post_perspective(receivers.nearest, receivers.farthest, shift);
+  Box bounds;
+  for (const glm::dvec3& corner : receivers.hull.points()) {
+    const glm::dvec4 q = post_from_world * glm::dvec4(corner, 1.0);
+    bounds.extend(glm::dvec3(q) / q.w);
+  }
+  const glm::dvec3 center = bounds.center();
+
+  // The light there is l / l.w. A view from it along `axis` maps p to (u.(p - c), v.(p - c), axis.(p l.w - l)), u and v
+  // across the axis through the centre c: that holds for l.w = 0 too, where light comes from a direction, and for l.w <
+  // 0, an inverted light, whose axis leads away from it.
+  const glm::dvec4 l = post_from_world * light;
+  const glm::dvec3 axis = glm::normalize(center * l.w - glm::dvec3(l));
+  glm::dvec3 u, v;
+  perpendicular_axes(axis, u, v);
+  const glm::dmat4 rows = glm::transpose(post_from_world);
+  const auto combine = [&](const glm::dvec3& n) { return n.x * rows[0] + n.y * rows[1] + n.z * rows[2]; };
+  return {combine(u) - glm::dot(u, center) * rows[3], combine(v) - glm::dot(v, center) * rows[3],
+          l.w * combine(axis) - glm::dot(axis, glm::dvec3(l)) * rows[3]};
+}
+
+Projection light_space_projection(const LightFrame& light, const CameraMap& camera, const Receivers& receivers) {
+  const Projection plain = uniform_projection(light);
+  const auto image = [&](const glm::dvec3& p) {
+    return glm::dvec2(along(plain.x, p), along(plain.y, p)) / along(plain.w, p);
+  };
+  // The view axis as the light sees it, between the nearest and the farthest receiver's depth.
+  const glm::dmat4 world_from_post = glm::inverse(camera.post_perspective(receivers.nearest, receivers.farthest, 0.0));
+  const auto on_axis = [&](double z) {
+    const glm::dvec4 q = world_from_post * glm::dvec4(0, 0, z, 1);
+    return glm::dvec3(q) / q.w;
+  };
+  const glm::dvec3 near_end = on_axis(-1), far_end = on_axis(1);
+  if (!(along(plain.w, near_end) > 0) || !(along(plain.w, far_end) > 0)) return plain;
+  const glm::dvec2 step = image(far_end) - image(near_end);
+  const double steps = glm::length(step);
+  const double length = receivers.farthest - receivers.nearest;
+  const glm::dvec3 ray =
+      light.perspective
+          ? glm::normalize(0.5 * (near_end + far_end) - glm::dvec3(glm::inverse(light.view_from_world)[3]))
+          : glm::dvec3(distance_row(light));
+  const double sine = glm::length(glm::cross(ray, glm::normalize(camera.forward())));
+  if (!(sine > 1e-3) || !(steps > 0)) return plain;
+
+  const glm::dvec2 direction = step / steps;
+  const double metres = length * sine / steps;  // of a unit of the light's plane
+  double low = infinity, high = -infinity;
+  for (const glm::dvec3& corner : receivers.hull.points()) {
+    if (!(along(plain.w, corner) > 0)) continue;
+    const double d = glm::dot(direction, image(corner));
+    low = std::min(low, d);
+    high = std::max(high, d);
+  }
+  const double z_near = receivers.nearest, z_far = z_near + (high - low) * metres * sine;
+  const double n = (z_near + std::sqrt(z_near * z_far)) / sine / metres;
+  const glm::dvec2 across(-direction.y, direction.x);
+  const double middle = glm::dot(across, image(near_end));
+  return {across.x * plain.x + across.y * plain.y - middle * plain.w, plain.w,
+          direction.x * plain.x + direction.y * plain.y + (n - low) * plain.w};
+}
+
+double least_shift(const Light& light, const LightFrame& frame, const CameraMap& camera, const Receivers& receivers,
+                   const Box& scene) {
+  Polytope h = clip(Polytope::from_box(scene), hull_planes(receivers.hull, homogeneous_position(light)));
+  h = clip(h, window_planes(frame));
+  double nearest = receivers.nearest;
+  for (const glm::dvec3& corner : h.points()) nearest = std::min(nearest, along(camera.w, corner));
+  return receivers.nearest - nearest;
+}
+
+std::optional<glm::dmat4> fit_projection(const Projection& projection, const LightFrame& light,
+                                         const Receivers& receivers, uint32_t resolution, double border_texels,
+                                         bool exact) {
+  const std::vector<glm::dvec3> corners = corners_of(receivers.hull);
+  if (corners.empty()) return std::nullopt;
+  const glm::dvec4 distance = distance_row(light);
+  double nearest = infinity, farthest = -infinity;
+  for (const glm::dvec3& corner : corners) {
+    const double d = along(distance, corner);
+    nearest = std::min(nearest, d);
+    farthest = std::max(farthest, d);
+  }
+  double tip = -infinity;  // the part of the hull that is nearer holds no receiver
+  if (light.perspective) {
+    tip = std::max({near_share * farthest, 0.99 * receivers.light_distance, nearest});
+    if (!(farthest > tip)) return std::nullopt;
+  }
+
+  // A lamp in the hull is a corner of it, whose image the other corners on the same rays have.
+  std::vector<glm::dvec2> images;
+  double w_low = infinity, w_high = 0;
+  for (const glm::dvec3& corner : corners) {
+    if (light.perspective && along(distance, corner) < near_share * farthest) continue;
+    const double w = along(projection.w, corner);
+    if (!(w > 0)) return std::nullopt;
+    w_low = std::min(w_low, w);
+    w_high = std::max(w_high, w);
+    images.push_back(glm::dvec2(along(projection.x, corner), along(projection.y, corner)) / w);
+  }
+  if (!(w_low > least_w * w_high) || images.empty()) return std::nullopt;
+
+  // Turned in units of its own bounds, so that the turn does not depend on the unit of either axis.
+  Rectangle bounds;
+  for (const glm::dvec2& p : images) bounds.extend(p);
+  const double reach = std::max(
+      {std::abs(bounds.low.x), std::abs(bounds.low.y), std::abs(bounds.high.x), std::abs(bounds.high.y), 1e-9});
+  const glm::dvec2 center = bounds.center();
+  const glm::dvec2 unit = glm::max(0.5 * bounds.size(), glm::dvec2(1e-6 * reach));
+  for (glm::dvec2& p : images) p = (p - center) / unit;
+  const glm::dvec2 axis = smallest_turn(images);
+  const auto turned = [&](const glm::dvec2& p) { return glm::dvec2(glm::dot(axis, p), axis.x * p.y - axis.y * p.x); };
+  Rectangle window;
+  for (const glm::dvec2& p : images) window.extend(turned(p));
+  const glm::dvec4 x = (projection.x - center.x * projection.w) / unit.x;
+  const glm::dvec4 y = (projection.y - center.y * projection.w) / unit.y;
+  const Projection in_units{axis.x * x + axis.y * y, axis.x * y - axis.y * x, projection.w};
+  if (exact) {
+    const Rectangle of_boxes = bounding_rectangle(in_units, receivers);
+    const glm::dvec2 low = glm::max(window.low, of_boxes.low), high = glm::min(window.high, of_boxes.high);
+    if (low.x < high.x && low.y < high.y) window = {low, high};
+  }
+
+  const glm::dvec2 half = glm::max(0.5 * window.size(), glm::dvec2(1e-9)) * (1.0 + 2.0 * border_texels / resolution);
+  const glm::dvec4 u = (in_units.x - window.center().x * projection.w) / half.x;
+  const glm::dvec4 v = (in_units.y - window.center().y * projection.w) / half.y;
+
+  // Depth is the light's distance over w, which does not change along a directional light's ray and is proportional to
+  // the distance along a lamp's: it grows away from the light either way.
+  const double range = std::max(farthest - nearest, 1e-6 * std::max({std::abs(farthest), std::abs(nearest), reach}));
+  const double near = light.perspective ? 0.99 * tip : nearest - depth_margin * range;
+  double scale = infinity;
+  for (const glm::dvec3& corner : corners)
+    if (const double d = along(distance, corner); d > near)
+      scale = std::min(scale, along(projection.w, corner) / (d - near));
+  const glm::dvec4 from_nearest = scale / (1 + depth_margin) * (distance - glm::dvec4(0, 0, 0, near));
+  const glm::dvec4 depth = (1 - depth_before) * from_nearest + depth_before * projection.w;
+  return glm::transpose(glm::dmat4(u, v, depth, projection.w) * (1.0 / w_high));
+}
+
+double mean_footprint(const glm::dmat4& light_from_world, const Receivers& receivers, const Light& light,
+                      uint32_t resolution) {
+  const glm::dvec4 x = glm::row(light_from_world, 0), y = glm::row(light_from_world, 1),
+                   w = glm::row(light_from_world, 3);
+  const double half = 0.5 * resolution;
+  double sum = 0, weights = 0;
+  for (const ReceiverSample& sample : receivers.samples) {
+    const glm::dvec3 to_light = light.kind == LightKind::directional ? -light.direction : light.position - sample.world;
+    if (glm::dot(sample.normal, to_light) <= 0) continue;
+    const double depth = along(w, sample.world);
+    const double u = along(x, sample.world) / depth, v = along(y, sample.world) / depth;
+    // How far a pixel moves the point in the map, texels.
+    const auto move = [&](const glm::dvec3& step) {
+      const double dw = glm::dot(glm::dvec3(w), step);
+      return half / depth * glm::dvec2(glm::dot(glm::dvec3(x), step) - u * dw, glm::dot(glm::dvec3(y), step) - v * dw);
+    };
+    const glm::dvec2 right = move(sample.right), down = move(sample.down);
+    // The inverse of that: a texel's two sides in the image. A parallelogram is as wide as both across an edge of any
+    // direction, on the average.
+    const double area = std::abs(right.x * down.y - right.y * down.x);
+    const double sides = glm::length(glm::dvec2(right.x, down.x)) + glm::length(glm::dvec2(right.y, down.y));
+    const double footprint = sides / std::max(area, 1e-12);
+    // Things as far apart in the world are the closer in the image the farther away: there is more edge there in a
+    // pixel. By measurement the root of the distance predicts errors best.
+    const double weight = std::sqrt(sample.depth);
+    sum += weight * footprint / (1 + footprint / large_footprint);
+    weights += weight;
+  }
+  return weights == 0 ? 0 : sum / weights;
+}
+
+namespace {
+
+/// The half-spaces of what a light's view reaches: its window, and the cone of a spot by planes that touch it.
+std::vector<Plane> reach_planes(const Light& light, const LightFrame& frame) {
+  std::vector<Plane> planes = window_planes(frame);
+  if (light.kind != LightKind::spot) return planes;
+  constexpr int sides = 8;
+  const glm::dvec3 right(glm::row(frame.view_from_world, 0)), up(glm::row(frame.view_from_world, 1));
+  const glm::dvec3 forward(distance_row(frame));
+  for (int i = 0; i < sides; ++i) {
+    const double angle = 2 * std::numbers::pi * (i + 0.5) / sides;
+    const glm::dvec3 outwards = std::cos(angle) * right + std::sin(angle) * up;
+    const glm::dvec3 normal = std::sin(light.outer_angle) * forward - std::cos(light.outer_angle) * outwards;
+    planes.push_back({normal, -glm::dot(normal, light.position)});
+  }
+  return planes;
+}
+
+}  // namespace
+
+Warp choose_warp(const Light& light, const LightFrame& frame, const CameraMap& camera, const Receivers& receivers,
+                 const Box& scene, const WarpOptions& options) {
+  Warp warp;
+  warp.light_from_world = frame.view_from_world;
+  if (receivers.hull.empty()) return warp;
+  const Receivers reached = frame.perspective ? inside(receivers, reach_planes(light, frame)) : receivers;
+  if (reached.hull.empty()) return warp;
+  // Faces of a point light overlap by the widest filter, so that a tap never leaves its face.
+  const double border = light.kind == LightKind::point ? 21 : 1;
+
+  struct Candidate {
+    Projection projection;
+    double footprint = infinity;
+  };
+  const auto rate = [&](const Projection& projection) {
+    const auto matrix = fit_projection(projection, frame, reached, options.resolution, border, false);
+    return Candidate{projection, matrix ? mean_footprint(*matrix, reached, light, options.resolution) : infinity};
+  };
+  const Candidate uniform = rate(uniform_projection(frame));
+  Candidate best;
+  if (options.light_space) {
+    best = rate(light_space_projection(frame, camera, reached));
+  } else {
+    const glm::dvec4 position = homogeneous_position(light);
+    const auto consider = [&](double shift) {
+      const Candidate candidate = rate(perspective_projection(position, camera, reached, shift));
+      if (candidate.footprint >= best.footprint) return;
+      best = candidate;
+      warp.shift = shift;
+    };
+    if (options.least_shift) {
+      consider(least_shift(light, frame, camera, reached, scene));
+    } else {
+      consider(0);
+      for (double shift = 0.25 * reached.nearest; shift < 8 * reached.farthest; shift *= 4) consider(shift);
+      for (const double factor : {0.5, 2.0, std::sqrt(0.5), std::sqrt(2.0)}) consider(factor * warp.shift);
+    }
+  }
+
+  const auto take = [&](const Candidate& candidate) {
+    const auto matrix = fit_projection(candidate.projection, frame, reached, options.resolution, border, true);
+    if (!matrix) return false;
+    warp.light_from_world = *matrix;
+    warp.drawn = true;
+    return true;
+  };
+  // No sample faces the light: any map will do.
+  warp.fallback = !(best.footprint < uniform.footprint) || !take(best);
+  if (!warp.fallback) {
+    warp.gain = uniform.footprint / best.footprint;
+  } else {
+    warp.shift = 0;
+    take(uniform);
+  }
+  return warp;
+}
+
+}  // namespace shadewright::shadow

@@ -1,0 +1,74 @@
+// The light's matrix as a projection of the plane that the light sees, chosen so that texels are small where the camera
+// looks closely.
+//
+// Every shadow map of one matrix is a projection from the light's position (or direction): three rows x, y, w of the
+// world that vanish at the light, and any depth that grows along its rays. So what the papers call inverted lights, or
+// objects beyond the infinity plane, concerns the depth alone; here depth is always the light's own distance, and a
+// caster is in front of the map (w > 0) exactly when the receivers behind it are.
+#pragma once
+
+#include <optional>
+
+#include "shadow/parameterization/perspective/receivers.h"
+#include "shadow/parameterization/uniform/fit.h"
+
+namespace shadewright::shadow {
+
+/// Image of a world point: (x / w, y / w), in any unit. Rows of the world.
+struct Projection {
+  glm::dvec4 x, y, w;
+};
+
+/// (position, 1), or (direction towards the light, 0).
+glm::dvec4 homogeneous_position(const Light& light);
+
+/// The light's own undistorted view.
+Projection uniform_projection(const LightFrame& light);
+
+/// PSM: the view from the light's image under the camera's perspective transform with the eye moved back by `shift`
+/// (section 4.2) towards the middle of the receivers there. All cases of figures 4 and 5 in one formula.
+Projection perspective_projection(const glm::dvec4& light, const CameraMap& camera, const Receivers& receivers,
+                                  double shift);
+
+/// Light space perspective shadow maps (Wimmer, Scherzer, Purgathofer 2004): a perspective across the light's direction
+/// with their near distance n = (z_n + sqrt(z_n z_f)) / sin(gamma). The uniform projection where the view axis points
+/// at the light.
+Projection light_space_projection(const LightFrame& light, const CameraMap& camera, const Receivers& receivers);
+
+/// The least shift that puts H, the hull of receivers and light within `scene` and the light's window, in front of the
+/// camera by the near distance (section 4).
+double least_shift(const Light& light, const LightFrame& frame, const CameraMap& camera, const Receivers& receivers,
+                   const Box& scene);
+
+/// light_from_world whose map just holds the receivers, with a border; none where `projection` does not have all of
+/// them in front of it, or no receivers are there. `exact` takes their boxes into account, not only their hull.
+std::optional<glm::dmat4> fit_projection(const Projection& projection, const LightFrame& light,
+                                         const Receivers& receivers, uint32_t resolution, double border_texels,
+                                         bool exact);
+
+/// Mean size of a texel in the image, pixels, over the samples that face the light: what the error of a hard shadow's
+/// edge is proportional to. Far samples count more, since edges are denser there. Large ones count less and less, since
+/// a shadow is not displaced by more than its own size.
+double mean_footprint(const glm::dmat4& light_from_world, const Receivers& receivers, const Light& light,
+                      uint32_t resolution);
+
+struct WarpOptions {
+  bool light_space = false;  ///< instead of PSM
+  bool least_shift = false;  ///< of PSM: as little as H allows; otherwise the best
+  uint32_t resolution = 0;   ///< texels per axis
+};
+
+/// The matrix of one view.
+struct Warp {
+  glm::dmat4 light_from_world{1.0};
+  bool drawn = false;     ///< false: nothing visible receives here
+  bool fallback = false;  ///< uniform, since no perspective has smaller texels in the image
+  double shift = 0;       ///< of PSM's eye, metres
+  double gain = 1;        ///< mean size of a uniform map's texel in the image over this one's
+};
+
+/// The matrix of the view of `light` along `frame` (the light's only one, or a face's).
+Warp choose_warp(const Light& light, const LightFrame& frame, const CameraMap& camera, const Receivers& receivers,
+                 const Box& scene, const WarpOptions& options);
+
+}  // namespace shadewright::shadow
