@@ -14,7 +14,7 @@ layout(location = 4) flat out vec4 albedo;
 layout(binding = 1, scalar) uniform Camera { CameraData camera; };
 
 void main() {
-  first_triangle = cluster_first_triangle;
+  first_triangle = cluster_first_triangle & first_triangle_mask;
   // The cofactors of the linear part map cross products of edges, so the winding is that of the triangle in the world.
   vec3 x = world_from_mesh_row_x.xyz, y = world_from_mesh_row_y.xyz, z = world_from_mesh_row_z.xyz;
   normal_from_mesh = transpose(mat3(cross(y, z), cross(z, x), cross(x, y)));

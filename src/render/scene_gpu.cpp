@@ -8,6 +8,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "render/closed_bodies.h"
 #include "render/shared.h"
 
 namespace shadewright::render {
@@ -20,12 +21,19 @@ constexpr size_t max_cluster_vertices = 255, max_cluster_triangles = 512;
 struct MeshClusters {
   std::vector<glm::uvec3> triangles;  ///< in cluster order
   std::vector<uint32_t> first;        ///< first triangle of each cluster
+  uint32_t closed = 0;                ///< how many of the clusters, from the first on, bound closed bodies
 };
 
-MeshClusters make_clusters(const Mesh& mesh) {
-  if (mesh.triangles.size() <= max_cluster_triangles) return {mesh.triangles, {0}};
-  const size_t index_count = 3 * mesh.triangles.size();
-  const auto* indices = reinterpret_cast<const uint32_t*>(mesh.triangles.data());
+/// Appends clusters of some of the mesh's triangles.
+void append_clusters(MeshClusters& result, const Mesh& mesh, std::span<const glm::uvec3> triangles) {
+  if (triangles.empty()) return;
+  if (triangles.size() <= max_cluster_triangles) {
+    result.first.push_back(static_cast<uint32_t>(result.triangles.size()));
+    result.triangles.insert(result.triangles.end(), triangles.begin(), triangles.end());
+    return;
+  }
+  const size_t index_count = 3 * triangles.size();
+  const auto* indices = reinterpret_cast<const uint32_t*>(triangles.data());
   const size_t bound = meshopt_buildMeshletsBound(index_count, max_cluster_vertices, max_cluster_triangles);
   std::vector<meshopt_Meshlet> meshlets(bound);
   std::vector<uint32_t> vertices(bound * max_cluster_vertices);
@@ -33,8 +41,6 @@ MeshClusters make_clusters(const Mesh& mesh) {
   meshlets.resize(meshopt_buildMeshlets(meshlets.data(), vertices.data(), corners.data(), indices, index_count,
                                         &mesh.positions.front().x, mesh.positions.size(), sizeof(glm::vec3),
                                         max_cluster_vertices, max_cluster_triangles, 0.0f));
-  MeshClusters result;
-  result.triangles.reserve(mesh.triangles.size());
   for (const meshopt_Meshlet& meshlet : meshlets) {
     result.first.push_back(static_cast<uint32_t>(result.triangles.size()));
     for (uint32_t t = 0; t < meshlet.triangle_count; ++t) {
@@ -44,6 +50,17 @@ MeshClusters make_clusters(const Mesh& mesh) {
       result.triangles.emplace_back(corner(0), corner(1), corner(2));
     }
   }
+}
+
+MeshClusters make_clusters(const Mesh& mesh) {
+  const std::vector<uint8_t> closed = closed_triangles(mesh);
+  std::vector<glm::uvec3> parts[2];
+  for (size_t t = 0; t < mesh.triangles.size(); ++t) parts[closed[t] ? 0 : 1].push_back(mesh.triangles[t]);
+  MeshClusters result;
+  result.triangles.reserve(mesh.triangles.size());
+  append_clusters(result, mesh, parts[0]);
+  result.closed = static_cast<uint32_t>(result.first.size());
+  append_clusters(result, mesh, parts[1]);
   return result;
 }
 
@@ -118,7 +135,7 @@ SceneGpu::SceneGpu(const gpu::Device& device, const Scene& scene, double time, u
         normals.push_back(packed_normal(mesh, triangle));
       }
       clusters.push_back({glm::vec3(box.center()), glm::vec3(0.5 * box.size()), first_index, 3 * (end - begin), shown.x,
-                          shown.y, list_capacity_});
+                          shown.y, list_capacity_, c < parts.closed ? shared::body_closed : 0});
       list_capacity_ += shown.y;
       cluster_mesh_centers_.emplace_back(box.center());
       cluster_centers_.push_back(instances[shown.x].world_from_mesh * glm::vec4(cluster_mesh_centers_.back(), 1.0f));

@@ -29,8 +29,11 @@ struct InstanceData {
 struct VisibleInstance {
   vec4 world_from_mesh_rows[3];
   uint albedo;
-  uint first_triangle;  // of the cluster, into the triangle normals
+  uint first_triangle;  // of the cluster, into the triangle normals; and the bits of its body
 };
+
+// In VisibleInstance::first_triangle: the cluster bounds closed bodies, and the instance turns its triangles' winding.
+const uint body_closed = 0x80000000u, body_mirrored = 0x40000000u, first_triangle_mask = 0x3fffffffu;
 
 /// A few hundred neighbouring triangles of a mesh with their box in mesh space, and which instances show them.
 struct ClusterData {
@@ -41,6 +44,7 @@ struct ClusterData {
   uint first_instance;  // instances of one mesh lie side by side
   uint instance_count;
   uint list_base;  // where this cluster's visible instances are listed
+  uint body;       // body_closed or 0
 };
 
 const uint max_cull_planes = 10;

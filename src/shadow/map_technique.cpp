@@ -26,18 +26,20 @@ glm::dmat4 map_from_clip() {
   return m;
 }
 
-/// MapViewData::slope_unit, measured in the middle of the view.
+/// MapViewData::slope_unit. Under a perspective light a texel grows with the distance and a depth's step with its
+/// square: the mean of the map's near and far end is taken.
 float slope_unit(const glm::dmat4& world_from_map, const MapExtent& extent) {
   const auto world = [&](const glm::dvec3& map) {
     const glm::dvec4 q = world_from_map * glm::dvec4(map, 1.0);
     return glm::dvec3(q) / q.w;
   };
-  const glm::dvec3 middle(0.5), texel(1.0 / extent.width, 1.0 / extent.height, 1e-4);
-  const auto step = [&](const glm::dvec3& by) { return glm::distance(world(middle + by), world(middle)); };
-  const double width = std::sqrt(step({texel.x, 0, 0}) * step({0, texel.y, 0}));
-  const double depth = step({0, 0, texel.z}) / texel.z;
-  const double w = std::abs((world_from_map * glm::dvec4(middle, 1.0)).w);
-  return static_cast<float>(width / (depth * w));
+  const auto unit_at = [&](double depth) {
+    const glm::dvec3 middle(0.5, 0.5, depth), texel(1.0 / extent.width, 1.0 / extent.height, 1e-4);
+    const auto step = [&](const glm::dvec3& by) { return glm::distance(world(middle + by), world(middle - by)); };
+    const double width = std::sqrt(step({texel.x, 0, 0}) * step({0, texel.y, 0}));
+    return width / step({0, 0, texel.z}) * texel.z;
+  };
+  return static_cast<float>(std::sqrt(unit_at(0.001) * unit_at(0.999)));
 }
 
 }  // namespace

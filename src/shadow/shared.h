@@ -14,7 +14,7 @@ struct MapViewData {
   mat4 map_from_world;  // (u w, v w, depth w, w)
   mat4 world_from_map;
   uint drawn;        // 0: nothing receives in this view and its layer holds nothing
-  float slope_unit;  // map depth that a texel's width along the light makes, where world_from_map's w is 1
+  float slope_unit;  // map depth that a texel's width along the light makes, in the middle of the map
 };
 
 const uint light_directional = 0, light_spot = 1, light_point = 2;

@@ -25,20 +25,19 @@ bool in_triangle(vec2 p, vec2 a, vec2 b, vec2 c) {
   return all(greaterThanEqual(side, vec3(0.0))) || all(lessThanEqual(side, vec3(0.0)));
 }
 
-// The triangle's plane: depth at the origin, and its gradient. A triangle seen edge-on has none; 0 then.
-vec3 depth_plane(vec3 a, vec3 b, vec3 c) {
+// The gradient of the triangle's depth. A triangle seen edge-on has none; 0 then.
+vec2 depth_gradient(vec3 a, vec3 b, vec3 c) {
   vec3 u = b - a, v = c - a;
   float area = cross2(u.xy, v.xy);
-  if (abs(area) < 1e-12) return vec3(0.0, 0.0, min(a.z, min(b.z, c.z)));
-  vec2 gradient = vec2(u.z * v.y - v.z * u.y, v.z * u.x - u.z * v.x) / area;
-  return vec3(gradient, a.z - dot(gradient, a.xy));
+  return area == 0.0 ? vec2(0.0) : vec2(u.z * v.y - v.z * u.y, v.z * u.x - u.z * v.x) / area;
 }
 
 // Minimum depth of the triangle within the texel around the origin; infinity where it does not touch it.
-float consistent_minimum(vec3 a, vec3 b, vec3 c, vec3 plane) {
+// `depth` is that of its plane there.
+float consistent_minimum(vec3 a, vec3 b, vec3 c, vec2 gradient, float depth) {
   float minimum = min(edge_minimum(a, b), min(edge_minimum(b, c), edge_minimum(c, a)));
-  vec2 corner = -half_texel * vec2(plane.x < 0.0 ? -1.0 : 1.0, plane.y < 0.0 ? -1.0 : 1.0);
-  if (in_triangle(corner, a.xy, b.xy, c.xy)) minimum = min(minimum, plane.z + dot(plane.xy, corner));
+  vec2 corner = -half_texel * vec2(gradient.x < 0.0 ? -1.0 : 1.0, gradient.y < 0.0 ? -1.0 : 1.0);
+  if (in_triangle(corner, a.xy, b.xy, c.xy)) minimum = min(minimum, depth + dot(gradient, corner));
   return max(minimum, min(a.z, min(b.z, c.z)));
 }
 

@@ -44,6 +44,7 @@ SubpixelStorage::SubpixelStorage(const gpu::Device& device, const StorageDesc& d
                           Usage::eDepthStencilAttachment | Usage::eSampled | Usage::eTransferSrc, true});
   gpu::GraphicsDesc pipeline = casters_shaders(desc.spec);
   CasterDraws::describe(pipeline, desc.lookup_layout);
+  render::CulledDraws::set_vertex_input(pipeline, render::SceneInputs::surface);  // tells closed bodies
   pipeline.colors = {triangles_.desc().format};
   pass_ = gpu::GraphicsPass(device, pipeline);
 }

@@ -34,7 +34,7 @@ Occluder occluder_at(ivec3 address, vec2 centre, float minimum, MapPoint p) {
   o.centre = centre;
   if (o.large) code_x = (texel.r >> 28) | ((texel.g >> 28) << 4) | ((texel.b >> 28) << 8);
   SlopeEntry x = subpixel_tables.slopes[code_x], y = subpixel_tables.slopes[code_y];
-  float unit = slope_unit(map_views[p.layer], p.uv + centre * p.texel, minimum);
+  float unit = map_views[p.layer].slope_unit;
   float reach = depth_reach(x, y) * unit;
   float depth = coding.absolute_depth != 0 ? float(texel.a & 0xffffu) / 65535.0
                                            : minimum + reach * (float(texel.a & 0x3ffu) / 511.0 - 1.0);
@@ -131,29 +131,33 @@ float storage_visible(MapPoint p) {
 
   vec2 centre = vec2(address.xy) + 0.5 - p.uv / p.texel;  // of the texel, from the receiver
   vec2 slope = p.gradient * p.texel;
-  Occluder own = occluder_at(address, centre, minimum, p);
-  float own_tolerance = tolerance + lookup.bias_scale * own.tolerance;
-  if (abs(own.depth - p.depth) <= own_tolerance) return 1.0;
-  if (own.depth < p.depth - own_tolerance && occluder_covers(own)) return 0.0;
-
-  subpixel_decision = decided_by_neighbours;
   float slack = 0.5 * (abs(slope.x) + abs(slope.y)) + tolerance;
-  uint pattern = 0;
+  float least[9];
+  uint pattern = 0, nearer = 0;
   for (int i = 0; i < 9; ++i) {
     ivec2 offset = ivec2(i % 3, i / 3) - 1;
     ivec3 at;
-    if (!map_fetch(p, offset, at)) continue;
-    float least = texelFetch(subpixel_minimum, at, 0).r;
-    vec2 there = centre + vec2(offset);
-    if (least < 1.0 && least < p.depth + dot(there, slope) - slack) pattern |= 1u << i;
-    if (i == 4 || least >= p.depth - tolerance) continue;
-    Occluder o = occluder_at(at, there, least, p);
-    if (o.depth < p.depth - tolerance - lookup.bias_scale * o.tolerance && occluder_covers(o)) return 0.0;
+    least[i] = map_fetch(p, offset, at) ? texelFetch(subpixel_minimum, at, 0).r : 1.0;
+    if (least[i] < 1.0 && least[i] < p.depth + dot(centre + vec2(offset), slope) - slack) pattern |= 1u << i;
+    if (least[i] < min(p.depth - tolerance, 1.0)) nearer |= 1u << i;
   }
-
   uint count = subpixel_tables.tangent_counts[pattern];
+
+  // The texel's own triangle first, then its neighbours'.
+  for (int k = 4; k < 13; ++k) {
+    int i = k % 9;
+    if ((nearer & (1u << i)) == 0) continue;
+    ivec2 offset = ivec2(i % 3, i / 3) - 1;
+    ivec3 at;
+    map_fetch(p, offset, at);
+    Occluder o = occluder_at(at, centre + vec2(offset), least[i], p);
+    float own = tolerance + lookup.bias_scale * o.tolerance;
+    if (i == 4 && abs(o.depth - p.depth) <= own) return 1.0;
+    if (o.depth < p.depth - own && occluder_covers(o)) return 0.0;
+    if (count == tangents_shadowed && subpixel_tables.recovery != 0) return 0.0;
+    subpixel_decision = decided_by_neighbours;
+  }
   if (count == tangents_lit || subpixel_tables.recovery == 0) return 1.0;
-  if (count == tangents_shadowed) return 0.0;
   subpixel_decision = decided_by_recovery;
   float behind = 1e9;
   for (uint k = 0; k < count; ++k) {
@@ -165,7 +169,7 @@ float storage_visible(MapPoint p) {
       ivec2 offset = ivec2(i % 3, i / 3) - 1;
       ivec3 at;
       map_fetch(p, offset, at);
-      Occluder o = occluder_at(at, centre + vec2(offset), texelFetch(subpixel_minimum, at, 0).r, p);
+      Occluder o = occluder_at(at, centre + vec2(offset), least[i], p);
       border_add(border, o, normal);
       float along = dot(vec2(offset), vec2(normal.y, -normal.x));
       if (along < -0.5) left_occluded = true;

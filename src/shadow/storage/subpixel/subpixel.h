@@ -1,6 +1,6 @@
-// subpixel: Sub-Pixel Shadow Mapping (Marvie, Sourimant, Gautron, I3D 2014). A texel keeps the closest triangle in 128
-// bits, conservatively rasterized; the look-up tests it and its neighbours, and rebuilds the border where neither holds
-// the receiver.
+// subpixel: Sub-Pixel Shadow Mapping (Lecocq, Marvie, Sourimant, Gautron, I3D 2014). A texel keeps the closest triangle
+// in 128 bits, conservatively rasterized; the look-up tests it and its neighbours, and rebuilds the border where
+// neither holds the receiver.
 //
 // Ours differs: figure 9's consistent minimum depth is found once a texel, when it is drawn, and is what the depth
 // attachment orders triangles by and the look-up reads (the paper's section 7 proposes it; the paper finds it at each
