@@ -23,7 +23,7 @@ struct Paper {
   std::vector<BenchTable> (*run)(Bench&);
 };
 constexpr Paper papers[] = {
-    {"psm", bench_psm}, {"rmsm", nullptr}, {"rtw", nullptr}, {"cpvs", bench_cpvs}, {"spsm", nullptr}};
+    {"psm", bench_psm}, {"rmsm", nullptr}, {"rtw", nullptr}, {"cpvs", bench_cpvs}, {"spsm", bench_spsm}};
 
 struct Flags {
   std::vector<std::string> papers;
@@ -37,7 +37,8 @@ const Paper& find_paper(const std::string& name) {
       std::find_if(std::begin(papers), std::end(papers), [&](const Paper& p) { return p.name == name; });
   if (paper == std::end(papers))
     throw InputError("bench " + name, "there is no such paper", "choose among psm, rmsm, rtw, cpvs, spsm");
-  if (!paper->run) throw InputError("bench " + name, "this paper's tables are not built yet", "bench cpvs and psm are");
+  if (!paper->run)
+    throw InputError("bench " + name, "this paper's tables are not built yet", "bench cpvs, psm and spsm are");
   return *paper;
 }
 

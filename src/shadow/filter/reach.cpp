@@ -3,6 +3,9 @@
 namespace shadewright::shadow {
 
 FilterReach filter_reach(const Spec& spec) {
+  // Sub-pixel look-ups and ray tests read the texels around.
+  if (spec.storage == "subpixel") return {1, 0};
+  if (spec.storage == "triangle") return {spec.choice("kernel") == "5" ? 2.0 : 1.0, 0};
   if (spec.filter != "pcf") return {};
   // Blurred texels are blended between neighbours.
   if (spec.storage == "moments") return {spec.number("blur") + 1, 0};

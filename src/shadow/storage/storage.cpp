@@ -7,6 +7,7 @@
 #include "shadow/storage/depth/depth.h"
 #include "shadow/storage/moments/moments.h"
 #include "shadow/storage/subpixel/subpixel.h"
+#include "shadow/storage/triangle/triangle.h"
 
 namespace shadewright::shadow {
 
@@ -14,12 +15,15 @@ StorageTraits storage_traits(std::string_view storage) {
   using enum gpu::BindingKind;
   if (storage == "depth" || storage == "moments") return {{sampled_image}, {"shadow-map"}};
   if (storage == "subpixel") return {{sampled_image, sampled_image, storage_buffer}, {"shadow-map"}};
+  if (storage == "triangle")
+    return {{sampled_image, sampled_image, sampled_image, sampled_image, uniform_buffer}, {"shadow-map"}};
   throw std::logic_error(fmt::format("storage '{}' has shaders but no class", storage));
 }
 
 std::unique_ptr<Storage> make_storage(const gpu::Device& device, const StorageDesc& desc) {
   if (desc.spec.storage == "depth") return std::make_unique<DepthStorage>(device, desc);
   if (desc.spec.storage == "subpixel") return std::make_unique<SubpixelStorage>(device, desc);
+  if (desc.spec.storage == "triangle") return std::make_unique<TriangleStorage>(device, desc);
   if (desc.spec.storage == "moments") return std::make_unique<MomentsStorage>(device, desc);
   throw std::logic_error(fmt::format("storage '{}' has shaders but no class", desc.spec.storage));
 }

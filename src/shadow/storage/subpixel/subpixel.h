@@ -1,11 +1,11 @@
 // subpixel: Sub-Pixel Shadow Mapping (Lecocq, Marvie, Sourimant, Gautron, I3D 2014). A texel keeps the closest triangle
-// in 128 bits, conservatively rasterized; the look-up tests it and its neighbours, and rebuilds the border where
-// neither holds the receiver.
-//
-// Ours differs: figure 9's consistent minimum depth is found once a texel, when it is drawn, and is what the depth
-// attachment orders triangles by and the look-up reads (the paper's section 7 proposes it; the paper finds it at each
-// look-up). slopes=wide (default) codes slopes in 11 bits and the depth within the texel; power is the paper's coding,
-// linear figure 6's.
+// in 128 bits, conservatively rasterized; the look-up tests it and its neighbours, and rebuilds the border where neither
+// holds the receiver. Ours differs:
+// - Figure 9's consistent minimum depth is found once a texel, when it is drawn. The depth attachment orders triangles
+//   by it, and the look-up reads it (the paper finds it at each look-up; its section 7 proposes this).
+// - Of closed bodies only the sides that look away from the light are drawn: they begin at the silhouette, which the
+//   least depth then picks, and lit faces meet no map of themselves. Lattice at 512: 2,146 wrong pixels, not 5,014.
+// - slopes=wide (default) has 11 bits a slope and depth within the texel; power is the paper's, linear figure 6's.
 #pragma once
 
 #include "shadow/storage/caster_draws.h"

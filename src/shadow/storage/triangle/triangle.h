@@ -1,0 +1,36 @@
+// triangle: Reconstructable Geometry Shadow Maps (Dai, Bao, Chen, 2008). A texel keeps the closest triangle's three
+// vertices in world space; a receiver's ray is tested against those of the 3x3 or 5x5 texels around it. Plainly
+// rasterized: a triangle that covers no texel's centre is lost, which is the method's known failure with fine meshes.
+// The baseline of SPSM's figure 13. 36 bytes a texel and its depth; the paper does not say how it stores them.
+#pragma once
+
+#include <array>
+
+#include "shadow/storage/caster_draws.h"
+#include "shadow/storage/storage.h"
+
+namespace shadewright::shadow {
+
+class TriangleStorage final : public Storage {
+ public:
+  TriangleStorage(const gpu::Device& device, const StorageDesc& desc);
+
+  void prepare(const Frame& frame, uint32_t slot, std::span<const MapView> views) override;
+  void record(const Frame& frame, uint32_t slot, std::span<const MapView> views, vk::DescriptorSet lookup_set,
+              gpu::Recorder& recorder) override;
+  std::vector<gpu::Binding> lookup_bindings() const override;
+  std::vector<Allocation> allocations() const override;
+  /// The depths, near bright and empty black, layers one below the other.
+  Picture debug_picture(std::string_view name) override;
+
+ private:
+  const gpu::Device& device_;
+  gpu::Image depth_;
+  std::array<gpu::Image, 3> vertices_;
+  gpu::Buffer constants_;
+  vk::raii::Sampler sampler_;
+  gpu::GraphicsPass pass_;
+  CasterDraws draws_;
+};
+
+}  // namespace shadewright::shadow
