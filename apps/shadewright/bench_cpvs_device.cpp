@@ -7,8 +7,11 @@
 #include <algorithm>
 
 #include "shadewright/compare/path_study.h"
+#include "shadewright/files.h"
 #include "shadewright/scene/builtin.h"
 #include "shadewright/scene/moments.h"
+#include "shadewright/voxel/bake.h"
+#include "shadewright/voxel/file.h"
 
 namespace shadewright::app {
 
@@ -30,6 +33,19 @@ std::vector<shadow::Spec> parse(const std::vector<std::string>& texts) {
   return specs;
 }
 
+/// The scene's sun baked once for all filters, with a pyramid, into the bench's folder: the start of a spec that looks
+/// it up.
+std::string baked(Bench& bench, const Scene& scene, const std::string& name, voxel::ClosedMode closed) {
+  voxel::BakeOptions options;
+  options.resolution = bench.options().limit;
+  options.max_filter = 17;
+  options.pyramid = true;
+  options.closed = closed;
+  const std::filesystem::path file = bench.options().folder / (file_stem(name) + ".cpvs");
+  voxel::save(voxel::bake(scene, scene.lights.front(), options, bench.progress()).shadow, file);
+  return "cpvs,file=" + file.string();
+}
+
 /// A fly-through: all techniques over the scene's path `main`.
 compare::Report fly(Bench& bench, const Scene& scene, const std::vector<std::string>& specs) {
   const BenchOptions& options = bench.options();
@@ -46,18 +62,19 @@ BenchTable flights(Bench& bench) {
       "tap: worst frame against worst frame; the paper: at worst 2.5 for 9 x 9 and 4.5 for 17 x 17.",
       {"scene", "technique", "median ms", "worst ms", "of one tap", "of CSM 4", "wrong", "flicker"},
       {}};
-  const std::string voxels = fmt::format("@{}", bench.options().limit);
   struct Flight {
-    const char *name, *scene, *keys;
+    const char *name, *scene;
+    voxel::ClosedMode closed;
   };
-  for (const Flight& flight : {Flight{"landscape", "landscape", ""}, Flight{"ruins", "ruins", ""},
-                               Flight{"city, closed", "city?triangles=613000", ""},
-                               Flight{"city, not closed", "city?triangles=613000", ",closed=none"}}) {
+  using enum voxel::ClosedMode;
+  for (const Flight& flight : {Flight{"landscape", "landscape", automatic}, Flight{"ruins", "ruins", automatic},
+                               Flight{"city, closed", "city?triangles=613000", automatic},
+                               Flight{"city, not closed", "city?triangles=613000", none}}) {
     const Scene scene = make_builtin(flight.scene);
-    const auto cpvs = [&](const char* more) { return "cpvs" + voxels + more + flight.keys; };
+    const std::string cpvs = baked(bench, scene, flight.name, flight.closed);
     const compare::Report report = fly(bench, scene,
-                                       {cpvs(""), cpvs(",taps=9"), cpvs(",taps=17"), cpvs(",taps=9,far=mraa"),
-                                        cpvs(",taps=9,far=voaa"), "csm@2048,cascades=4", "csm@2048,cascades=8"});
+                                       {cpvs, cpvs + ",taps=9", cpvs + ",taps=17", cpvs + ",taps=9,far=mraa",
+                                        cpvs + ",taps=9,far=voaa", "csm@2048,cascades=4", "csm@2048,cascades=8"});
     const double one_tap = report.results[0].milliseconds.max, csm = report.results[5].milliseconds.max;
     for (const compare::TechniqueResult& result : report.results)
       table.rows.push_back({flight.name, result.technique, milliseconds(result.milliseconds.median),
@@ -108,8 +125,9 @@ BenchTable orders(Bench& bench) {
                    {}};
   for (const char* name : {"city?triangles=613000", "ruins"}) {
     const Scene scene = make_builtin(name);
+    const std::string cpvs = baked(bench, scene, name, voxel::ClosedMode::automatic);
     for (const char* taps : {"9", "17"}) {
-      const std::string spec = fmt::format("cpvs@{},taps={}", bench.options().limit, taps);
+      const std::string spec = fmt::format("{},taps={}", cpvs, taps);
       const compare::Report report =
           fly(bench, scene, {spec + ",order=fixed", spec + ",order=best", spec + ",order=leaves"});
       const double fixed = report.results[0].milliseconds.max, best = report.results[1].milliseconds.max,
@@ -134,7 +152,7 @@ BenchTable distant(Bench& bench) {
   far.eye = far.target + 10.0 * (far.eye - far.target);
   far.fov_y /= 6;
   compare::Study study = bench.study(scene, far, scene.lights.front());
-  const std::string spec = fmt::format("cpvs@{},taps=9", bench.options().limit);
+  const std::string spec = baked(bench, scene, "ruins", voxel::ClosedMode::automatic) + ",taps=9";
   for (const compare::Outcome& outcome :
        bench.run(study, {spec, spec + ",far=voaa", spec + ",far=mraa"}, "distant", table))
     table.rows.push_back({outcome.result.technique, fmt::format("{:.5f}", outcome.result.error.mean_absolute),
@@ -149,7 +167,7 @@ BenchTable quality(Bench& bench) {
                    {}};
   const Scene scene = make_builtin("ruins");
   compare::Study study = bench.study(scene, scene.cameras.front(), scene.lights.front());
-  const std::string spec = fmt::format("cpvs@{},taps=9", bench.options().limit);
+  const std::string spec = baked(bench, scene, "ruins", voxel::ClosedMode::automatic) + ",taps=9";
   const auto outcomes = bench.run(study, {"csm@2048,cascades=4", "csm@2048,cascades=8", spec}, "quality", table);
   for (const compare::Outcome& outcome : outcomes)
     table.rows.push_back({outcome.result.technique, milliseconds(outcome.result.milliseconds.median),

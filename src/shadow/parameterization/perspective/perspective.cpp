@@ -21,7 +21,7 @@ uint32_t shared_kind(LightKind kind) {
 
 Perspective::Perspective(const gpu::Device& device, uint32_t resolution, const PerspectiveOptions& options,
                          uint32_t width, uint32_t height)
-    : options_(options), resolution_(resolution), grid_(tile_grid(width, height)) {
+    : options_(options), resolution_(resolution), plain_(device, resolution, "view"), grid_(tile_grid(width, height)) {
   if (!options.from_buffers) return;
   using enum gpu::BindingKind;
   reduce_ =
@@ -35,6 +35,7 @@ Perspective::Perspective(const gpu::Device& device, uint32_t resolution, const P
 
 void Perspective::prepare(const Frame& frame, gpu::Recorder& recorder) {
   const Receivers receivers = find_receivers(frame, recorder);
+  plain_.prepare(frame, recorder);
   recorder.cpu_stage("perspective", [&] { choose_views(frame, receivers); });
 }
 
@@ -66,7 +67,7 @@ Receivers Perspective::find_receivers(const Frame& frame, gpu::Recorder& recorde
 }
 
 void Perspective::choose_views(const Frame& frame, const Receivers& receivers) {
-  const WarpOptions options{options_.light_space, options_.least_shift, resolution_};
+  WarpOptions options{options_.light_space, options_.least_shift, resolution_};
   Box scene = frame.draw_bounds;
   if (frame.scene) scene.extend(frame.scene->bounds());
   views_.clear();
@@ -74,6 +75,9 @@ void Perspective::choose_views(const Frame& frame, const Receivers& receivers) {
   std::vector<double> shifts, gains;
   const std::vector<LightFrame> lights = light_frames(frame.light);
   for (uint32_t layer = 0; layer < lights.size(); ++layer) {
+    const MapView& plain = plain_.views()[layer];
+    // Without this frame's surface points the estimate is too rough to tell them apart.
+    options.plain = plain.drawn && options_.from_buffers ? &plain.light_from_world : nullptr;
     const Warp warp = choose_warp(frame.light, lights[layer], CameraMap(frame.camera), receivers, scene, options);
     MapView view;
     view.layer = layer;

@@ -5,7 +5,7 @@
 // 2. Receivers are what the tiles hold; H, what may shadow them, follows from them and the light (section 4.1).
 // 3. The light is seen from under the camera's perspective transform, whose eye is moved back (sections 3, 4.2).
 // 4. The map is fitted tightly to the receivers' image; depth is the light's own distance.
-// 5. Where a texel is not smaller in the image than a uniform map's, the view is a uniform one (counter "fallback").
+// 5. Where a texel is not smaller in the image than that of `uniform,fit=view`, its view is taken (counter "fallback").
 //
 // What differs from the paper: it moves the eye back as little as H allows (shift=least); by default the shift is the
 // one whose texels are smallest in the image. Depth is not the post-perspective one, so that no light is inverted, and
@@ -15,6 +15,7 @@
 
 #include "shadow/parameterization/parameterization.h"
 #include "shadow/parameterization/perspective/warp.h"
+#include "shadow/parameterization/uniform/uniform.h"
 
 namespace shadewright::shadow {
 
@@ -47,6 +48,7 @@ class Perspective final : public Parameterization {
 
   PerspectiveOptions options_;
   uint32_t resolution_;
+  Uniform plain_;  ///< what is drawn instead where perspective does not help
   TileGrid grid_{};
   std::vector<MapView> views_;
   Counters counters_;

@@ -354,6 +354,17 @@ Warp choose_warp(const Light& light, const LightFrame& frame, const CameraMap& c
     warp.shift = 0;
     take(uniform);
   }
+  // Never below the map that a user would have instead. What a perspective gains must show through the estimate's
+  // noise.
+  const auto footprint = [&](const glm::dmat4& matrix) {
+    return mean_footprint(matrix, reached, light, options.resolution);
+  };
+  const double least_gain = warp.fallback ? 1.0 : 1.1;
+  if (options.plain && warp.drawn && footprint(*options.plain) < least_gain * footprint(warp.light_from_world)) {
+    warp = {};
+    warp.light_from_world = *options.plain;
+    warp.drawn = warp.fallback = true;
+  }
   return warp;
 }
 

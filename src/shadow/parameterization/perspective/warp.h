@@ -53,9 +53,10 @@ double mean_footprint(const glm::dmat4& light_from_world, const Receivers& recei
                       uint32_t resolution);
 
 struct WarpOptions {
-  bool light_space = false;  ///< instead of PSM
-  bool least_shift = false;  ///< of PSM: as little as H allows; otherwise the best
-  uint32_t resolution = 0;   ///< texels per axis
+  bool light_space = false;           ///< instead of PSM
+  bool least_shift = false;           ///< of PSM: as little as H allows; otherwise the best
+  uint32_t resolution = 0;            ///< texels per axis
+  const glm::dmat4* plain = nullptr;  ///< what uniform,fit=view draws; null: it draws nothing, or is not known
 };
 
 /// The matrix of one view.

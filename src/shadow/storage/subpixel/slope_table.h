@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "shadow/storage/subpixel/texel.h"
+#include "shadow/storage/subpixel/shared.h"
 
 namespace shadewright::shadow {
 

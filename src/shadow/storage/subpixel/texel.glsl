@@ -2,7 +2,7 @@
 #ifndef SHADEWRIGHT_SUBPIXEL_TEXEL_GLSL
 #define SHADEWRIGHT_SUBPIXEL_TEXEL_GLSL
 
-#include "shadow/storage/subpixel/texel.h"
+#include "shadow/storage/subpixel/shared.h"
 
 const float vertex_step = 1.0 / 256.0;
 const float vertex_reach = 127.9;  // texels from the centre: what signed 16 bits hold

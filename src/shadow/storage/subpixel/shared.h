@@ -7,8 +7,8 @@
 // The slope code along x of all ones marks edge lines.
 // Slopes are in texels of depth a texel: 1 is 45 degrees. They are quantized as angles (equations 2 to 4), whose power
 // function is the table's business: the look-up decodes by the table that `make_slope_table` fills.
-#ifndef SHADEWRIGHT_SUBPIXEL_TEXEL_H
-#define SHADEWRIGHT_SUBPIXEL_TEXEL_H
+#ifndef SHADEWRIGHT_SUBPIXEL_SHARED_H
+#define SHADEWRIGHT_SUBPIXEL_SHARED_H
 
 #include "shadow/shared.h"
 
