@@ -27,7 +27,8 @@ struct Flags {
 };
 
 /// What is compared when nothing is asked for: everything there is, at its default.
-const std::vector<std::string> default_techniques = {"sm", "sm@4096", "pcf", "uniform/depth/pcf,radius=4", "ray"};
+const std::vector<std::string> default_techniques = {"sm",  "sm@4096", "pcf",  "vsm",  "csm",
+                                                     "psm", "spsm",    "rgsm", "cpvs", "ray"};
 
 compare::Report read_report(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
