@@ -113,6 +113,10 @@ void MapTechnique::build_for(LightKind light) {
 
 void MapTechnique::prepare(const Frame& frame, gpu::Recorder& recorder) {
   check_light(spec_.parameterization, frame.light.kind);
+  if (frame.draw_casters && !storage_traits(spec_.storage).takes_callbacks)
+    throw InputError(fmt::format("storage '{}'", spec_.storage),
+                     "it draws triangles by a pipeline of its own, not by a callback",
+                     "put the casters into the scene, or choose depth storage");
   parameterization_->prepare(frame, recorder);
   build_for(frame.light.kind);
   recorder.cpu_stage("shadow constants", [&] {

@@ -33,10 +33,10 @@ struct MapView {
 
 /// What a caller's own casters are drawn with. The rendering has begun, viewport and scissor are set. The caller's
 /// pipeline has a D32 depth attachment and no color, writes depth with compare "less", and clamps it (casters before
-/// the map's nearest depth count). Its vertex shader includes the first of Technique::lookup_includes(), which declares
-/// the resources of one descriptor set (number SHADEWRIGHT_LOOKUP_SET, 1 unless defined before), and ends with
-/// gl_Position = map_caster(world, view). Its layout has Technique::lookup_layout() at that number, where the callback
-/// binds `set`.
+/// the map's nearest depth count); for storage "moments" also an RG32F color, see caster_moments.glsl. Its vertex
+/// shader includes the first of Technique::lookup_includes(), which declares the resources of one descriptor set
+/// (number SHADEWRIGHT_LOOKUP_SET, 1 unless defined before), and ends with gl_Position = map_caster(world, view). Its
+/// layout has Technique::lookup_layout() at that number, where the callback binds `set`.
 struct CasterDraw {
   const vk::raii::CommandBuffer& commands;
   uint32_t view = 0;  ///< index for map_caster

@@ -41,6 +41,7 @@ class Storage {
 struct StorageTraits {
   std::vector<gpu::BindingKind> lookup_kinds;  ///< of what its GLSL module reads
   std::vector<std::string> debug_names;
+  bool takes_callbacks = true;  ///< casters may be drawn by the caller's own pipeline
 };
 StorageTraits storage_traits(std::string_view storage);
 

@@ -35,7 +35,7 @@ Perspective::Perspective(const gpu::Device& device, uint32_t resolution, const P
 
 void Perspective::prepare(const Frame& frame, gpu::Recorder& recorder) {
   const Receivers receivers = find_receivers(frame, recorder);
-  plain_.prepare(frame, recorder);
+  if (options_.from_buffers) plain_.prepare(frame, recorder);
   recorder.cpu_stage("perspective", [&] { choose_views(frame, receivers); });
 }
 
@@ -75,9 +75,11 @@ void Perspective::choose_views(const Frame& frame, const Receivers& receivers) {
   std::vector<double> shifts, gains;
   const std::vector<LightFrame> lights = light_frames(frame.light);
   for (uint32_t layer = 0; layer < lights.size(); ++layer) {
-    const MapView& plain = plain_.views()[layer];
-    // Without this frame's surface points the estimate is too rough to tell them apart.
-    options.plain = plain.drawn && options_.from_buffers ? &plain.light_from_world : nullptr;
+    // Without this frame's surface points the estimate is too rough to tell the two apart.
+    if (options_.from_buffers) {
+      const MapView& plain = plain_.views()[layer];
+      options.plain = plain.drawn ? &plain.light_from_world : nullptr;
+    }
     const Warp warp = choose_warp(frame.light, lights[layer], CameraMap(frame.camera), receivers, scene, options);
     MapView view;
     view.layer = layer;

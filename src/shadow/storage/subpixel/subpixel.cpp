@@ -2,7 +2,6 @@
 
 #include <memory>
 
-#include "shadewright/error.h"
 #include "shadow/lookup_shaders.h"
 #include "shadow/storage/depth_picture.h"
 #include "shadow/storage/subpixel/slope_table.h"
@@ -50,9 +49,6 @@ SubpixelStorage::SubpixelStorage(const gpu::Device& device, const StorageDesc& d
 }
 
 void SubpixelStorage::prepare(const Frame& frame, uint32_t slot, std::span<const MapView> views) {
-  if (frame.draw_casters)
-    throw InputError("storage 'subpixel'", "it draws triangles by a pipeline of its own, not by a callback",
-                     "put the casters into the scene, or choose depth storage");
   draws_.prepare(frame, slot, views);
 }
 

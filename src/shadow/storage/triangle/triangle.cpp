@@ -1,6 +1,5 @@
 #include "shadow/storage/triangle/triangle.h"
 
-#include "shadewright/error.h"
 #include "shadow/lookup_shaders.h"
 #include "shadow/storage/depth_picture.h"
 #include "shadow/storage/triangle/shared.h"
@@ -30,9 +29,6 @@ TriangleStorage::TriangleStorage(const gpu::Device& device, const StorageDesc& d
 }
 
 void TriangleStorage::prepare(const Frame& frame, uint32_t slot, std::span<const MapView> views) {
-  if (frame.draw_casters)
-    throw InputError("storage 'triangle'", "it draws triangles by a pipeline of its own, not by a callback",
-                     "put the casters into the scene, or choose depth storage");
   draws_.prepare(frame, slot, views);
 }
 
