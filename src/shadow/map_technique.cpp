@@ -16,8 +16,6 @@ namespace shadewright::shadow {
 
 namespace {
 
-constexpr auto lookup_stages = vk::ShaderStageFlagBits::eAllGraphics | vk::ShaderStageFlagBits::eCompute;
-
 /// Clip space to map space: u, v in [0, 1].
 glm::dmat4 map_from_clip() {
   glm::dmat4 m(1.0);
@@ -51,9 +49,7 @@ MapTechnique::MapTechnique(const gpu::Device& device, const Spec& spec, const Te
     throw InputError(spec.text, "this technique waits for the device in every frame",
                      fmt::format("allow readback, or {}", parameterization_->traits().without_readback));
 
-  visibility_ = gpu::Image(device, {"visibility", vk::Format::eR8Unorm, options.width, options.height, 1,
-                                    vk::ImageUsageFlagBits::eStorage | vk::ImageUsageFlagBits::eSampled |
-                                        vk::ImageUsageFlagBits::eTransferSrc});
+  visibility_ = make_visibility(device, options);
   sampler_ = gpu::make_sampler(device, vk::Filter::eNearest);
   for (uint32_t i = 0; i < options.frames_in_flight; ++i) {
     cameras_.emplace_back(device, "shadow camera", sizeof(shared::CameraData), gpu::HostAccess::write);
@@ -61,49 +57,31 @@ MapTechnique::MapTechnique(const gpu::Device& device, const Spec& spec, const Te
     views_.emplace_back(device, "shadow views", parameterization_->max_views() * sizeof(shared::MapViewData),
                         gpu::HostAccess::write);
   }
-  make_lookup_sets();
-}
-
-void MapTechnique::make_lookup_sets() {
   // Views, constants, the storage's resources and the parameterization's: see map_point.glsl and the modules' GLSL.
-  std::vector<vk::DescriptorSetLayoutBinding> bindings;
-  std::vector<vk::DescriptorPoolSize> sizes;
-  const uint32_t count = options_.frames_in_flight;
-  const auto add = [&](uint32_t first, std::span<const gpu::BindingKind> kinds) {
-    for (uint32_t i = 0; i < kinds.size(); ++i) {
-      const vk::DescriptorType type = gpu::descriptor_type(kinds[i]);
-      bindings.push_back({first + i, type, 1, lookup_stages});
-      sizes.push_back({type, count});
-    }
-  };
-  add(0, std::array{gpu::BindingKind::storage_buffer, gpu::BindingKind::uniform_buffer});
-  add(storage_binding, storage_traits(spec_.storage).lookup_kinds);
-  add(parameterization_binding, parameterization_->lookup_kinds());
-  lookup_layout_ = vk::raii::DescriptorSetLayout(device_.handle(), {{}, bindings});
-  pool_ =
-      vk::raii::DescriptorPool(device_.handle(), {vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, count, sizes});
-  const std::vector<vk::DescriptorSetLayout> layouts(count, *lookup_layout_);
-  for (auto& set : vk::raii::DescriptorSets(device_.handle(), {*pool_, layouts}))
-    lookup_sets_.push_back(std::move(set));
+  using enum gpu::BindingKind;
+  const LookupSets::Part parts[] = {{0, {storage_buffer, uniform_buffer}},
+                                    {storage_binding, storage_traits(spec.storage).lookup_kinds},
+                                    {parameterization_binding, parameterization_->lookup_kinds()}};
+  lookup_sets_ = LookupSets(device, parts, options.frames_in_flight);
 }
 
 void MapTechnique::write_lookup_sets() {
   using gpu::Binding;
   for (uint32_t i = 0; i < options_.frames_in_flight; ++i) {
-    gpu::write_set(device_, *lookup_sets_[i], 0,
+    gpu::write_set(device_, lookup_sets_.set(i), 0,
                    std::array{Binding::storage(views_[i]), Binding::uniform(lookups_[i])});
-    gpu::write_set(device_, *lookup_sets_[i], storage_binding, storage_->lookup_bindings());
-    gpu::write_set(device_, *lookup_sets_[i], parameterization_binding, parameterization_->lookup_bindings(i));
+    gpu::write_set(device_, lookup_sets_.set(i), storage_binding, storage_->lookup_bindings());
+    gpu::write_set(device_, lookup_sets_.set(i), parameterization_binding, parameterization_->lookup_bindings(i));
   }
 }
 
 void MapTechnique::build_for(LightKind light) {
   if (built_for_ && (*built_for_ == LightKind::point) == (light == LightKind::point)) return;
   device_.handle().waitIdle();  // earlier frames may still read the old map
-  storage_ =
-      make_storage(device_, {spec_, parameterization_->map_extent(light), options_.frames_in_flight, *lookup_layout_});
+  storage_ = make_storage(
+      device_, {spec_, parameterization_->map_extent(light), options_.frames_in_flight, lookup_sets_.layout()});
   using enum gpu::BindingKind;
-  const vk::DescriptorSetLayout lookup_layout = *lookup_layout_;
+  const vk::DescriptorSetLayout lookup_layout = lookup_sets_.layout();
   lookup_ = gpu::ComputePass(device_, lookup_shader(spec_.parameterization + "/" + spec_.storage + "/" + spec_.filter),
                              {uniform_buffer, sampled_image, sampled_image, storage_image}, 0,
                              std::span(&lookup_layout, 1), light == LightKind::point);
@@ -156,7 +134,7 @@ std::vector<gpu::Binding> MapTechnique::receiver_bindings(const Frame& frame) co
 
 void MapTechnique::record(const Frame& frame, gpu::Recorder& recorder) {
   const vk::DescriptorSet set = lookup_set(frame);
-  last_ = {*lookup_layout_, set, receiver_bindings(frame), options_.width, options_.height};
+  last_ = {lookup_sets_.layout(), set, receiver_bindings(frame), options_.width, options_.height};
   parameterization_->record(frame, recorder);
   storage_->record(frame, slot(frame), parameterization_->views(), set, recorder);
   recorder.stage("look-up", [&](const vk::raii::CommandBuffer& commands) {
@@ -191,7 +169,7 @@ std::vector<std::string> MapTechnique::lookup_includes() const {
 
 std::optional<OracleRays> MapTechnique::oracle_rays(const Frame& frame) {
   using enum gpu::BindingKind;
-  const vk::DescriptorSetLayout lookup_layout = *lookup_layout_;
+  const vk::DescriptorSetLayout lookup_layout = lookup_sets_.layout();
   const gpu::ComputePass pass(
       device_, oracle_shader(spec_.parameterization),
       {uniform_buffer, sampled_image, sampled_image, storage_buffer, storage_buffer, storage_buffer}, 0,

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "shadow/lookup_sets.h"
 #include "shadow/parameterization/parameterization.h"
 #include "shadow/storage/storage.h"
 
@@ -21,8 +22,8 @@ class MapTechnique final : public Technique {
   std::vector<Allocation> allocations() const override;
   Counters counters() const override;
   std::span<const MapView> views() const override { return parameterization_->views(); }
-  vk::DescriptorSetLayout lookup_layout() const override { return *lookup_layout_; }
-  vk::DescriptorSet lookup_set(const Frame& frame) const override { return *lookup_sets_[slot(frame)]; }
+  vk::DescriptorSetLayout lookup_layout() const override { return lookup_sets_.layout(); }
+  vk::DescriptorSet lookup_set(const Frame& frame) const override { return lookup_sets_.set(slot(frame)); }
   std::vector<std::string> lookup_includes() const override;
   std::optional<OracleRays> oracle_rays(const Frame& frame) override;
   std::vector<std::string> debug_names() const override;
@@ -32,7 +33,6 @@ class MapTechnique final : public Technique {
   uint32_t slot(const Frame& frame) const { return static_cast<uint32_t>(frame.index % options_.frames_in_flight); }
   /// Makes map and look-up when the first frame, or a light of another kind, needs them: a point light has six faces.
   void build_for(LightKind light);
-  void make_lookup_sets();
   void write_lookup_sets();
   void write_constants(const Frame& frame);
   std::vector<gpu::Binding> receiver_bindings(const Frame& frame) const;
@@ -43,9 +43,7 @@ class MapTechnique final : public Technique {
   gpu::Image visibility_;
   vk::raii::Sampler sampler_{nullptr};
   std::vector<gpu::Buffer> cameras_, views_, lookups_;  ///< by slot, host-written
-  vk::raii::DescriptorSetLayout lookup_layout_{nullptr};
-  vk::raii::DescriptorPool pool_{nullptr};
-  std::vector<vk::raii::DescriptorSet> lookup_sets_;
+  LookupSets lookup_sets_;
   std::unique_ptr<Storage> storage_;
   std::optional<LightKind> built_for_;
   gpu::ComputePass lookup_;

@@ -128,9 +128,7 @@ Precomputed::Precomputed(const gpu::Device& device, const Spec& spec, const Tech
   double_precision_ =
       precision == "double" || (precision == "auto" && device.is_cpu() && device.has_double_precision());
   if (const auto dynamic = spec.nested("dynamic")) moving_ = make_technique(device, *dynamic, options);
-  visibility_ = gpu::Image(device, {"visibility", vk::Format::eR8Unorm, options.width, options.height, 1,
-                                    vk::ImageUsageFlagBits::eStorage | vk::ImageUsageFlagBits::eSampled |
-                                        vk::ImageUsageFlagBits::eTransferSrc});
+  visibility_ = make_visibility(device, options);
   sampler_ = gpu::make_sampler(device, vk::Filter::eNearest);
   for (uint32_t i = 0; i < options.frames_in_flight; ++i) {
     const auto add = [&](std::vector<gpu::Buffer>& buffers, const char* name, size_t bytes) {
@@ -267,21 +265,10 @@ void Precomputed::make_sets() {
     for (const Binding& binding : word_bindings()) all.push_back(binding);
     return all;
   };
-  std::vector<gpu::BindingKind> kinds;
-  for (const Binding& binding : bindings(0)) kinds.push_back(binding.kind);
-  lookup_sets_.clear();
-  lookup_layout_ = gpu::make_set_layout(
-      device_, kinds,
-      vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment | vk::ShaderStageFlagBits::eCompute, false);
-  const uint32_t count = options_.frames_in_flight;
-  std::vector<vk::DescriptorPoolSize> sizes;
-  for (const gpu::BindingKind kind : kinds) sizes.push_back({gpu::descriptor_type(kind), count});
-  pool_ =
-      vk::raii::DescriptorPool(device_.handle(), {vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, count, sizes});
-  const std::vector<vk::DescriptorSetLayout> layouts(count, *lookup_layout_);
-  for (auto& set : vk::raii::DescriptorSets(device_.handle(), {*pool_, layouts}))
-    lookup_sets_.push_back(std::move(set));
-  for (uint32_t i = 0; i < count; ++i) gpu::write_set(device_, *lookup_sets_[i], 0, bindings(i));
+  LookupSets::Part part;
+  for (const Binding& binding : bindings(0)) part.kinds.push_back(binding.kind);
+  lookup_sets_ = LookupSets(device_, std::span(&part, 1), options_.frames_in_flight);
+  for (uint32_t i = 0; i < options_.frames_in_flight; ++i) gpu::write_set(device_, lookup_sets_.set(i), 0, bindings(i));
 }
 
 void Precomputed::make_pass() {
@@ -309,7 +296,7 @@ void Precomputed::make_pass() {
   if (words_.buffers.size() == 1) variant |= variant_one_window;
   if (moving_) variant |= variant_moving;
   using enum gpu::BindingKind;
-  const vk::DescriptorSetLayout layout = *lookup_layout_;
+  const vk::DescriptorSetLayout layout = lookup_sets_.layout();
   pass_ =
       gpu::ComputePass(device_, shader, {uniform_buffer, sampled_image, sampled_image, storage_image, sampled_image}, 0,
                        std::span(&layout, 1), variant);

@@ -16,6 +16,7 @@
 #include "shadewright/gpu/pass.h"
 #include "shadewright/shadow/technique.h"
 #include "shadewright/voxel/shadow.h"
+#include "shadow/lookup_sets.h"
 
 namespace shadewright::shadow {
 
@@ -33,8 +34,8 @@ class Precomputed final : public Technique {
   gpu::Image& visibility() override { return visibility_; }
   std::vector<Allocation> allocations() const override;
   Counters counters() const override;
-  vk::DescriptorSetLayout lookup_layout() const override { return *lookup_layout_; }
-  vk::DescriptorSet lookup_set(const Frame& frame) const override { return *lookup_sets_[slot(frame)]; }
+  vk::DescriptorSetLayout lookup_layout() const override { return lookup_sets_.layout(); }
+  vk::DescriptorSet lookup_set(const Frame& frame) const override { return lookup_sets_.set(slot(frame)); }
   std::vector<std::string> lookup_includes() const override { return {"shadow/precomputed/precomputed.glsl"}; }
 
   /// What is looked up: that of the last prepared frame's light.
@@ -73,9 +74,7 @@ class Precomputed final : public Technique {
   Access access_ = Access::windows;
   Words words_;
   std::vector<gpu::Buffer> cameras_, constants_, lookups_, rows_;  ///< by slot, host-written
-  vk::raii::DescriptorSetLayout lookup_layout_{nullptr};
-  vk::raii::DescriptorPool pool_{nullptr};
-  std::vector<vk::raii::DescriptorSet> lookup_sets_;
+  LookupSets lookup_sets_;
   gpu::ComputePass pass_;
 };
 

@@ -35,6 +35,37 @@ void CasterDraws::cull(const Frame& frame, uint32_t slot, gpu::Recorder& recorde
     recorder.stage("shadow cull", [&](const vk::raii::CommandBuffer& commands) { draws_->cull(commands, slot); });
 }
 
+void CasterDraws::draw_views(const vk::raii::CommandBuffer& commands, const Frame& frame,
+                             std::span<const MapView> views, gpu::Image& depth, std::span<gpu::Image> colors,
+                             const gpu::GraphicsPass& pass, vk::DescriptorSet lookup_set) const {
+  using Layout = vk::ImageLayout;
+  depth.transition(commands, Layout::eDepthAttachmentOptimal, true);
+  for (gpu::Image& image : colors) image.transition(commands, Layout::eColorAttachmentOptimal, true);
+  for (uint32_t index = 0; index < views.size(); ++index) {
+    const MapView& view = views[index];
+    if (!view.drawn) continue;
+    const vk::RenderingAttachmentInfo depth_target(depth.layer_view(view.layer), Layout::eDepthAttachmentOptimal, {},
+                                                   {}, {}, vk::AttachmentLoadOp::eClear, vk::AttachmentStoreOp::eStore,
+                                                   vk::ClearDepthStencilValue(1.0f, 0));
+    std::vector<vk::RenderingAttachmentInfo> color_targets;
+    for (const gpu::Image& image : colors)
+      color_targets.push_back({image.layer_view(view.layer),
+                               Layout::eColorAttachmentOptimal,
+                               {},
+                               {},
+                               {},
+                               vk::AttachmentLoadOp::eDontCare,
+                               vk::AttachmentStoreOp::eStore});
+    vk::RenderingInfo rendering({}, {{0, 0}, depth.extent()}, 1, 0, color_targets);
+    rendering.pDepthAttachment = &depth_target;
+    commands.beginRendering(rendering);
+    draw(commands, frame, view, index, pass, lookup_set);
+    commands.endRendering();
+  }
+  depth.transition(commands, Layout::eShaderReadOnlyOptimal);
+  for (gpu::Image& image : colors) image.transition(commands, Layout::eShaderReadOnlyOptimal);
+}
+
 void CasterDraws::draw(const vk::raii::CommandBuffer& commands, const Frame& frame, const MapView& view, uint32_t index,
                        const gpu::GraphicsPass& pass, vk::DescriptorSet lookup_set) const {
   const vk::Rect2D area = view.viewport;

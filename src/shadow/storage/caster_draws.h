@@ -21,6 +21,11 @@ class CasterDraws {
   void prepare(const Frame& frame, uint32_t slot, std::span<const MapView> views);
   /// Records the stage "shadow cull".
   void cull(const Frame& frame, uint32_t slot, gpu::Recorder& recorder) const;
+  /// Draws every drawn view into its layer of `depth`, which is cleared to 1, and of `colors`, which are not cleared: a
+  /// texel whose depth is 1 is empty, whatever its colors. All images are left in shader-read layout.
+  void draw_views(const vk::raii::CommandBuffer& commands, const Frame& frame, std::span<const MapView> views,
+                  gpu::Image& depth, std::span<gpu::Image> colors, const gpu::GraphicsPass& pass,
+                  vk::DescriptorSet lookup_set) const;
   /// Sets the view's viewport and draws, inside a rendering that the storage has begun.
   void draw(const vk::raii::CommandBuffer& commands, const Frame& frame, const MapView& view, uint32_t index,
             const gpu::GraphicsPass& pass, vk::DescriptorSet lookup_set) const;

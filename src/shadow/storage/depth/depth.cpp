@@ -26,19 +26,7 @@ void DepthStorage::record(const Frame& frame, uint32_t slot, std::span<const Map
                           vk::DescriptorSet lookup_set, gpu::Recorder& recorder) {
   draws_.cull(frame, slot, recorder);
   recorder.stage("shadow map", [&](const vk::raii::CommandBuffer& commands) {
-    map_.transition(commands, vk::ImageLayout::eDepthAttachmentOptimal, true);
-    for (uint32_t index = 0; index < views.size(); ++index) {
-      if (!views[index].drawn) continue;
-      const vk::RenderingAttachmentInfo depth(
-          map_.layer_view(views[index].layer), vk::ImageLayout::eDepthAttachmentOptimal, {}, {}, {},
-          vk::AttachmentLoadOp::eClear, vk::AttachmentStoreOp::eStore, vk::ClearDepthStencilValue(1.0f, 0));
-      vk::RenderingInfo rendering({}, {{0, 0}, map_.extent()}, 1);
-      rendering.pDepthAttachment = &depth;
-      commands.beginRendering(rendering);
-      draws_.draw(commands, frame, views[index], index, pass_, lookup_set);
-      commands.endRendering();
-    }
-    map_.transition(commands, vk::ImageLayout::eShaderReadOnlyOptimal);
+    draws_.draw_views(commands, frame, views, map_, {}, pass_, lookup_set);
   });
 }
 

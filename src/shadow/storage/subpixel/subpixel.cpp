@@ -56,26 +56,7 @@ void SubpixelStorage::record(const Frame& frame, uint32_t slot, std::span<const 
                              vk::DescriptorSet lookup_set, gpu::Recorder& recorder) {
   draws_.cull(frame, slot, recorder);
   recorder.stage("shadow map", [&](const vk::raii::CommandBuffer& commands) {
-    minimum_.transition(commands, vk::ImageLayout::eDepthAttachmentOptimal, true);
-    triangles_.transition(commands, vk::ImageLayout::eColorAttachmentOptimal, true);
-    for (uint32_t index = 0; index < views.size(); ++index) {
-      const MapView& view = views[index];
-      if (!view.drawn) continue;
-      // A texel whose minimum is 1 is empty, whatever its triangle.
-      const vk::RenderingAttachmentInfo depth(minimum_.layer_view(view.layer), vk::ImageLayout::eDepthAttachmentOptimal,
-                                              {}, {}, {}, vk::AttachmentLoadOp::eClear, vk::AttachmentStoreOp::eStore,
-                                              vk::ClearDepthStencilValue(1.0f, 0));
-      const vk::RenderingAttachmentInfo triangles(triangles_.layer_view(view.layer),
-                                                  vk::ImageLayout::eColorAttachmentOptimal, {}, {}, {},
-                                                  vk::AttachmentLoadOp::eDontCare, vk::AttachmentStoreOp::eStore);
-      vk::RenderingInfo rendering({}, {{0, 0}, minimum_.extent()}, 1, 0, triangles);
-      rendering.pDepthAttachment = &depth;
-      commands.beginRendering(rendering);
-      draws_.draw(commands, frame, view, index, pass_, lookup_set);
-      commands.endRendering();
-    }
-    minimum_.transition(commands, vk::ImageLayout::eShaderReadOnlyOptimal);
-    triangles_.transition(commands, vk::ImageLayout::eShaderReadOnlyOptimal);
+    draws_.draw_views(commands, frame, views, minimum_, std::span(&triangles_, 1), pass_, lookup_set);
   });
 }
 

@@ -36,28 +36,7 @@ void TriangleStorage::record(const Frame& frame, uint32_t slot, std::span<const 
                              vk::DescriptorSet lookup_set, gpu::Recorder& recorder) {
   draws_.cull(frame, slot, recorder);
   recorder.stage("shadow map", [&](const vk::raii::CommandBuffer& commands) {
-    depth_.transition(commands, vk::ImageLayout::eDepthAttachmentOptimal, true);
-    for (gpu::Image& image : vertices_) image.transition(commands, vk::ImageLayout::eColorAttachmentOptimal, true);
-    for (uint32_t index = 0; index < views.size(); ++index) {
-      const MapView& view = views[index];
-      if (!view.drawn) continue;
-      const vk::RenderingAttachmentInfo depth(depth_.layer_view(view.layer), vk::ImageLayout::eDepthAttachmentOptimal,
-                                              {}, {}, {}, vk::AttachmentLoadOp::eClear, vk::AttachmentStoreOp::eStore,
-                                              vk::ClearDepthStencilValue(1.0f, 0));
-      // A texel whose depth is 1 is empty, whatever its vertices.
-      std::array<vk::RenderingAttachmentInfo, 3> colors;
-      for (size_t i = 0; i < colors.size(); ++i)
-        colors[i] =
-            vk::RenderingAttachmentInfo(vertices_[i].layer_view(view.layer), vk::ImageLayout::eColorAttachmentOptimal,
-                                        {}, {}, {}, vk::AttachmentLoadOp::eDontCare, vk::AttachmentStoreOp::eStore);
-      vk::RenderingInfo rendering({}, {{0, 0}, depth_.extent()}, 1, 0, colors);
-      rendering.pDepthAttachment = &depth;
-      commands.beginRendering(rendering);
-      draws_.draw(commands, frame, view, index, pass_, lookup_set);
-      commands.endRendering();
-    }
-    depth_.transition(commands, vk::ImageLayout::eShaderReadOnlyOptimal);
-    for (gpu::Image& image : vertices_) image.transition(commands, vk::ImageLayout::eShaderReadOnlyOptimal);
+    draws_.draw_views(commands, frame, views, depth_, vertices_, pass_, lookup_set);
   });
 }
 
