@@ -78,8 +78,9 @@ void MapTechnique::write_lookup_sets() {
 void MapTechnique::build_for(LightKind light) {
   if (built_for_ && (*built_for_ == LightKind::point) == (light == LightKind::point)) return;
   device_.handle().waitIdle();  // earlier frames may still read the old map
-  storage_ = make_storage(
-      device_, {spec_, parameterization_->map_extent(light), options_.frames_in_flight, lookup_sets_.layout()});
+  storage_.reset();
+  draws_ = parameterization_->make_caster_draws(light, options_.frames_in_flight);
+  storage_ = make_storage(device_, {spec_, parameterization_->map_extent(light), *draws_, lookup_sets_.layout()});
   using enum gpu::BindingKind;
   const vk::DescriptorSetLayout lookup_layout = lookup_sets_.layout();
   lookup_ = gpu::ComputePass(device_, lookup_shader(spec_.parameterization + "/" + spec_.storage + "/" + spec_.filter),
@@ -99,8 +100,10 @@ void MapTechnique::prepare(const Frame& frame, gpu::Recorder& recorder) {
   build_for(frame.light.kind);
   recorder.cpu_stage("shadow constants", [&] {
     write_constants(frame);
-    storage_->prepare(frame, slot(frame), parameterization_->views());
+    draws_->prepare(frame, slot(frame), parameterization_->views());
   });
+  last_ = {lookup_sets_.layout(), lookup_set(frame), receiver_bindings(frame), options_.width, options_.height};
+  parameterization_->refine(frame, last_, recorder, [&] { draw(frame, recorder); });
 }
 
 void MapTechnique::write_constants(const Frame& frame) {
@@ -132,17 +135,20 @@ std::vector<gpu::Binding> MapTechnique::receiver_bindings(const Frame& frame) co
           Binding::sampled(frame.normal, *sampler_)};
 }
 
+void MapTechnique::draw(const Frame& frame, gpu::Recorder& recorder) {
+  draws_->cull(frame, slot(frame), last_, recorder);
+  storage_->record(frame, last_.set, recorder);
+}
+
 void MapTechnique::record(const Frame& frame, gpu::Recorder& recorder) {
-  const vk::DescriptorSet set = lookup_set(frame);
-  last_ = {lookup_sets_.layout(), set, receiver_bindings(frame), options_.width, options_.height};
-  parameterization_->record(frame, recorder);
-  storage_->record(frame, slot(frame), parameterization_->views(), set, recorder);
+  parameterization_->record(frame, last_, recorder);
+  draw(frame, recorder);
   recorder.stage("look-up", [&](const vk::raii::CommandBuffer& commands) {
     visibility_.transition(commands, vk::ImageLayout::eGeneral, true);
-    auto bindings = receiver_bindings(frame);
+    auto bindings = last_.receivers;
     bindings.push_back(gpu::Binding::storage(visibility_.view()));
     lookup_.dispatch(commands, bindings, {}, {gpu::groups(options_.width, 8), gpu::groups(options_.height, 8), 1},
-                     std::span(&set, 1));
+                     std::span(&last_.set, 1));
     visibility_.transition(commands, vk::ImageLayout::eShaderReadOnlyOptimal);
   });
 }
@@ -152,7 +158,10 @@ std::vector<Allocation> MapTechnique::allocations() const {
   const auto append = [&](std::vector<Allocation> more) {
     for (auto& allocation : more) result.push_back(std::move(allocation));
   };
-  if (storage_) append(storage_->allocations());
+  if (storage_) {
+    append(storage_->allocations());
+    append(draws_->allocations());
+  }
   append(parameterization_->allocations());
   for (const auto* buffers : {&cameras_, &views_, &lookups_})
     for (const auto& buffer : *buffers) result.push_back(buffer.allocation());

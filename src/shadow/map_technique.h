@@ -35,6 +35,8 @@ class MapTechnique final : public Technique {
   void build_for(LightKind light);
   void write_lookup_sets();
   void write_constants(const Frame& frame);
+  /// Culls the casters and draws them into the map.
+  void draw(const Frame& frame, gpu::Recorder& recorder);
   std::vector<gpu::Binding> receiver_bindings(const Frame& frame) const;
 
   Spec spec_;
@@ -44,10 +46,11 @@ class MapTechnique final : public Technique {
   vk::raii::Sampler sampler_{nullptr};
   std::vector<gpu::Buffer> cameras_, views_, lookups_;  ///< by slot, host-written
   LookupSets lookup_sets_;
+  std::unique_ptr<CasterDraws> draws_;
   std::unique_ptr<Storage> storage_;
   std::optional<LightKind> built_for_;
   gpu::ComputePass lookup_;
-  ReceiverLookup last_;  ///< of the last recorded frame
+  ReceiverLookup last_;  ///< of the last prepared frame
 };
 
 }  // namespace shadewright::shadow

@@ -7,8 +7,13 @@
 #include "shadow/parameterization/cascaded/cascaded.h"
 #include "shadow/parameterization/perspective/perspective.h"
 #include "shadow/parameterization/uniform/uniform.h"
+#include "shadow/view_caster_draws.h"
 
 namespace shadewright::shadow {
+
+std::unique_ptr<CasterDraws> Parameterization::make_caster_draws(LightKind light, uint32_t frames_in_flight) {
+  return std::make_unique<ViewCasterDraws>(map_extent(light).layers, frames_in_flight);
+}
 
 std::unique_ptr<Parameterization> make_parameterization(const gpu::Device& device, const Spec& spec,
                                                         const TechniqueOptions& options) {

@@ -1,6 +1,7 @@
 // What a parameterization answers on the CPU; its GLSL module answers the same on the device (architecture, section 1).
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -38,6 +39,8 @@ struct MapExtent {
 /// The first binding of a parameterization's own resources in the look-up's set; the storage's begin at 2.
 inline constexpr uint32_t parameterization_binding = 8, storage_binding = 2;
 
+class CasterDraws;
+
 class Parameterization {
  public:
   virtual ~Parameterization() = default;
@@ -46,10 +49,16 @@ class Parameterization {
   virtual uint32_t max_views() const = 0;
   /// The map that a light of this kind needs.
   virtual MapExtent map_extent(LightKind light) const = 0;
+  /// What draws the casters of its frames into the map of a light of this kind: unless it does better, the scene's
+  /// casters, culled for each of `views`.
+  virtual std::unique_ptr<CasterDraws> make_caster_draws(LightKind light, uint32_t frames_in_flight);
   /// Finds the frame's views. May submit and wait if it says so in its traits.
   virtual void prepare(const Frame& frame, gpu::Recorder& recorder) = 0;
-  /// Records what must run on the device before casters are drawn.
-  virtual void record(const Frame&, gpu::Recorder&) {}
+  /// Finds what `record` can't, with the help of maps: `draw` culls and draws the casters as things stand. Called after
+  /// `prepare`; may submit and wait if it says so in its traits.
+  virtual void refine(const Frame&, const ReceiverLookup&, gpu::Recorder&, const std::function<void()>& /*draw*/) {}
+  /// Records what must run on the device before casters are culled.
+  virtual void record(const Frame&, const ReceiverLookup&, gpu::Recorder&) {}
   virtual std::span<const MapView> views() const = 0;
 
   /// Kinds of what its GLSL module reads besides the views, bound from `parameterization_binding` on.

@@ -1,4 +1,4 @@
-// What a texel keeps of the closest occluder: owns the map and draws the casters into it. Its GLSL module answers for a
+// What a texel keeps of the closest occluder: owns the map that casters are drawn into. Its GLSL module answers for a
 // point (architecture, section 1).
 #pragma once
 
@@ -9,7 +9,7 @@
 
 #include "shadewright/gpu/pass.h"
 #include "shadewright/shadow/technique.h"
-#include "shadow/parameterization/parameterization.h"
+#include "shadow/caster_draws.h"
 
 namespace shadewright::shadow {
 
@@ -17,18 +17,15 @@ namespace shadewright::shadow {
 struct StorageDesc {
   const Spec& spec;
   MapExtent extent;
-  uint32_t frames_in_flight = 1;
+  CasterDraws& draws;                     ///< outlive the storage
   vk::DescriptorSetLayout lookup_layout;  ///< set 1 of the casters' pipelines
 };
 
 class Storage {
  public:
   virtual ~Storage() = default;
-  /// Host work of a frame: which clusters each view draws.
-  virtual void prepare(const Frame& frame, uint32_t slot, std::span<const MapView> views) = 0;
-  /// Records culling and the drawing of all views; the map is left in shader-read layout.
-  virtual void record(const Frame& frame, uint32_t slot, std::span<const MapView> views, vk::DescriptorSet lookup_set,
-                      gpu::Recorder& recorder) = 0;
+  /// Records the drawing of the casters, which have been culled; the map is left in shader-read layout.
+  virtual void record(const Frame& frame, vk::DescriptorSet lookup_set, gpu::Recorder& recorder) = 0;
   /// What the GLSL module reads, bound from `storage_binding` on; of the kinds that its traits tell.
   virtual std::vector<gpu::Binding> lookup_bindings() const = 0;
   virtual std::vector<Allocation> allocations() const = 0;

@@ -1,32 +1,21 @@
 #include "shadow/storage/depth/depth.h"
 
-#include "shadow/lookup_shaders.h"
 #include "shadow/storage/depth_picture.h"
 
 namespace shadewright::shadow {
 
 DepthStorage::DepthStorage(const gpu::Device& device, const StorageDesc& desc)
-    : device_(device),
-      sampler_(gpu::make_sampler(device, vk::Filter::eNearest)),
-      draws_(desc.extent.layers, desc.frames_in_flight) {
+    : device_(device), sampler_(gpu::make_sampler(device, vk::Filter::eNearest)), draws_(desc.draws) {
   using Usage = vk::ImageUsageFlagBits;
   map_ = gpu::Image(device,
                     {"shadow map", vk::Format::eD32Sfloat, desc.extent.width, desc.extent.height, desc.extent.layers,
                      Usage::eDepthStencilAttachment | Usage::eSampled | Usage::eTransferSrc, true});
-  gpu::GraphicsDesc pipeline = casters_shaders(desc.spec);
-  CasterDraws::describe(pipeline, desc.lookup_layout);
-  pass_ = gpu::GraphicsPass(device, pipeline);
+  draws_.make_pipelines(device, {desc.spec, desc.lookup_layout, {}});
 }
 
-void DepthStorage::prepare(const Frame& frame, uint32_t slot, std::span<const MapView> views) {
-  draws_.prepare(frame, slot, views);
-}
-
-void DepthStorage::record(const Frame& frame, uint32_t slot, std::span<const MapView> views,
-                          vk::DescriptorSet lookup_set, gpu::Recorder& recorder) {
-  draws_.cull(frame, slot, recorder);
+void DepthStorage::record(const Frame& frame, vk::DescriptorSet lookup_set, gpu::Recorder& recorder) {
   recorder.stage("shadow map", [&](const vk::raii::CommandBuffer& commands) {
-    draws_.draw_views(commands, frame, views, map_, {}, pass_, lookup_set);
+    draws_.draw_targets(commands, frame, map_, {}, lookup_set);
   });
 }
 
@@ -39,9 +28,7 @@ Picture DepthStorage::debug_picture(std::string_view) {
 }
 
 std::vector<Allocation> DepthStorage::allocations() const {
-  std::vector<Allocation> result = draws_.allocations();
-  result.insert(result.begin(), map_.allocation());
-  return result;
+  return {map_.allocation()};
 }
 
 }  // namespace shadewright::shadow

@@ -1,7 +1,6 @@
 // depth: the map keeps the depth of the closest occluder (Williams, "Casting curved shadows on curved surfaces", 1978).
 #pragma once
 
-#include "shadow/storage/caster_draws.h"
 #include "shadow/storage/storage.h"
 
 namespace shadewright::shadow {
@@ -10,9 +9,7 @@ class DepthStorage final : public Storage {
  public:
   DepthStorage(const gpu::Device& device, const StorageDesc& desc);
 
-  void prepare(const Frame& frame, uint32_t slot, std::span<const MapView> views) override;
-  void record(const Frame& frame, uint32_t slot, std::span<const MapView> views, vk::DescriptorSet lookup_set,
-              gpu::Recorder& recorder) override;
+  void record(const Frame& frame, vk::DescriptorSet lookup_set, gpu::Recorder& recorder) override;
   std::vector<gpu::Binding> lookup_bindings() const override;
   std::vector<Allocation> allocations() const override;
   /// The map, near bright and empty black, layers one below the other.
@@ -22,8 +19,7 @@ class DepthStorage final : public Storage {
   const gpu::Device& device_;
   gpu::Image map_;
   vk::raii::Sampler sampler_;
-  gpu::GraphicsPass pass_;
-  CasterDraws draws_;
+  CasterDraws& draws_;
 };
 
 }  // namespace shadewright::shadow

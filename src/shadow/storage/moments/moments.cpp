@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "shaders/blur_moments_comp.h"
-#include "shadow/lookup_shaders.h"
 
 namespace shadewright::shadow {
 
@@ -34,7 +33,7 @@ MomentsStorage::MomentsStorage(const gpu::Device& device, const StorageDesc& des
     : device_(device),
       radius_(desc.spec.takes("blur") ? static_cast<int32_t>(desc.spec.number("blur")) : 0),
       sampler_(gpu::make_sampler(device, vk::Filter::eNearest)),
-      draws_(desc.extent.layers, desc.frames_in_flight) {
+      draws_(desc.draws) {
   using Usage = vk::ImageUsageFlagBits;
   const MapExtent& extent = desc.extent;
   constexpr auto format = vk::Format::eR32G32Sfloat;
@@ -48,50 +47,41 @@ MomentsStorage::MomentsStorage(const gpu::Device& device, const StorageDesc& des
     using enum gpu::BindingKind;
     blur_ = gpu::ComputePass(device, shaders::blur_moments_comp, {sampled_image, storage_image}, sizeof(BlurPush));
   }
-  gpu::GraphicsDesc pipeline = casters_shaders(desc.spec);
-  CasterDraws::describe(pipeline, desc.lookup_layout);
-  pipeline.colors = {format};
-  pass_ = gpu::GraphicsPass(device, pipeline);
+  draws_.make_pipelines(device, {desc.spec, desc.lookup_layout, {format}});
 }
 
-void MomentsStorage::prepare(const Frame& frame, uint32_t slot, std::span<const MapView> views) {
-  draws_.prepare(frame, slot, views);
-}
-
-void MomentsStorage::record(const Frame& frame, uint32_t slot, std::span<const MapView> views,
-                            vk::DescriptorSet lookup_set, gpu::Recorder& recorder) {
-  draws_.cull(frame, slot, recorder);
+void MomentsStorage::record(const Frame& frame, vk::DescriptorSet lookup_set, gpu::Recorder& recorder) {
   recorder.stage("shadow map", [&](const vk::raii::CommandBuffer& commands) {
-    draw(commands, frame, views, lookup_set);
+    draw(commands, frame, lookup_set);
     if (radius_ == 0) map_.transition(commands, vk::ImageLayout::eShaderReadOnlyOptimal);
   });
   if (radius_ > 0)
     recorder.stage("blur", [&](const vk::raii::CommandBuffer& commands) {
-      blur(commands, views);
+      blur(commands);
       map_.transition(commands, vk::ImageLayout::eShaderReadOnlyOptimal);
     });
 }
 
-void MomentsStorage::draw(const vk::raii::CommandBuffer& commands, const Frame& frame, std::span<const MapView> views,
-                          vk::DescriptorSet lookup_set) {
+void MomentsStorage::draw(const vk::raii::CommandBuffer& commands, const Frame& frame, vk::DescriptorSet lookup_set) {
   using Layout = vk::ImageLayout;
+  const std::span<const MapView> targets = draws_.targets();
   const vk::ClearValue empty(vk::ClearColorValue(farthest(frame), 0.0f, 0.0f, 0.0f));
   map_.transition(commands, Layout::eColorAttachmentOptimal, true);
-  for (uint32_t index = 0; index < views.size(); ++index) {
-    if (!views[index].drawn) continue;
+  for (uint32_t index = 0; index < targets.size(); ++index) {
+    if (!targets[index].drawn) continue;
     depth_.transition(commands, Layout::eDepthAttachmentOptimal, true);
-    const vk::RenderingAttachmentInfo color(map_.layer_view(views[index].layer), Layout::eColorAttachmentOptimal, {},
+    const vk::RenderingAttachmentInfo color(map_.layer_view(targets[index].layer), Layout::eColorAttachmentOptimal, {},
                                             {}, {}, vk::AttachmentLoadOp::eClear, vk::AttachmentStoreOp::eStore, empty);
     const vk::RenderingAttachmentInfo depth(depth_.view(), Layout::eDepthAttachmentOptimal, {}, {}, {},
                                             vk::AttachmentLoadOp::eClear, vk::AttachmentStoreOp::eDontCare,
                                             vk::ClearDepthStencilValue(1.0f, 0));
     commands.beginRendering({{}, {{0, 0}, map_.extent()}, 1, 0, color, &depth});
-    draws_.draw(commands, frame, views[index], index, pass_, lookup_set);
+    draws_.draw(commands, frame, index, lookup_set);
     commands.endRendering();
   }
 }
 
-void MomentsStorage::blur(const vk::raii::CommandBuffer& commands, std::span<const MapView> views) {
+void MomentsStorage::blur(const vk::raii::CommandBuffer& commands) {
   using gpu::Binding;
   using Layout = vk::ImageLayout;
   const vk::Extent3D groups{gpu::groups(map_.desc().width, 64), map_.desc().height, 1};
@@ -101,9 +91,9 @@ void MomentsStorage::blur(const vk::raii::CommandBuffer& commands, std::span<con
     const Binding bindings[] = {Binding::sampled(source.view(), *sampler_), Binding::storage(target.view())};
     blur_.dispatch(commands, bindings, gpu::bytes_of(push), groups);
   };
-  for (const MapView& view : views) {
-    if (!view.drawn) continue;
-    const auto layer = static_cast<int32_t>(view.layer);
+  for (const MapView& target : draws_.targets()) {
+    if (!target.drawn) continue;
+    const auto layer = static_cast<int32_t>(target.layer);
     pass(map_, row_, {{1, 0}, radius_, layer, 0});
     pass(row_, map_, {{0, 1}, radius_, 0, layer});
   }
@@ -131,7 +121,7 @@ Picture MomentsStorage::debug_picture(std::string_view) {
 }
 
 std::vector<Allocation> MomentsStorage::allocations() const {
-  std::vector<Allocation> result = draws_.allocations();
+  std::vector<Allocation> result;
   for (const gpu::Image* image : {&row_, &depth_, &map_})
     if (*image) result.insert(result.begin(), image->allocation());
   return result;

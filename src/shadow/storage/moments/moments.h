@@ -9,7 +9,6 @@
 // variance, not the mean square: 32-bit floats then lose nothing in the difference of the two.
 #pragma once
 
-#include "shadow/storage/caster_draws.h"
 #include "shadow/storage/storage.h"
 
 namespace shadewright::shadow {
@@ -18,26 +17,22 @@ class MomentsStorage final : public Storage {
  public:
   MomentsStorage(const gpu::Device& device, const StorageDesc& desc);
 
-  void prepare(const Frame& frame, uint32_t slot, std::span<const MapView> views) override;
-  void record(const Frame& frame, uint32_t slot, std::span<const MapView> views, vk::DescriptorSet lookup_set,
-              gpu::Recorder& recorder) override;
+  void record(const Frame& frame, vk::DescriptorSet lookup_set, gpu::Recorder& recorder) override;
   std::vector<gpu::Binding> lookup_bindings() const override;
   std::vector<Allocation> allocations() const override;
   /// The mean distances, near bright, layers one below the other.
   Picture debug_picture(std::string_view name) override;
 
  private:
-  void draw(const vk::raii::CommandBuffer& commands, const Frame& frame, std::span<const MapView> views,
-            vk::DescriptorSet lookup_set);
-  void blur(const vk::raii::CommandBuffer& commands, std::span<const MapView> views);
+  void draw(const vk::raii::CommandBuffer& commands, const Frame& frame, vk::DescriptorSet lookup_set);
+  void blur(const vk::raii::CommandBuffer& commands);
 
   const gpu::Device& device_;
   int32_t radius_;                ///< of the blur, texels
   gpu::Image map_, depth_, row_;  ///< depth and the half-blurred map serve one layer after the other
   vk::raii::Sampler sampler_;
-  gpu::GraphicsPass pass_;
   gpu::ComputePass blur_;
-  CasterDraws draws_;
+  CasterDraws& draws_;
 };
 
 }  // namespace shadewright::shadow

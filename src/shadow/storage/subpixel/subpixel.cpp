@@ -2,7 +2,6 @@
 
 #include <memory>
 
-#include "shadow/lookup_shaders.h"
 #include "shadow/storage/depth_picture.h"
 #include "shadow/storage/subpixel/slope_table.h"
 #include "shadow/storage/subpixel/tangents.h"
@@ -33,7 +32,7 @@ SubpixelStorage::SubpixelStorage(const gpu::Device& device, const StorageDesc& d
     : device_(device),
       tables_(make_tables(device, desc.spec)),
       sampler_(gpu::make_sampler(device, vk::Filter::eNearest)),
-      draws_(desc.extent.layers, desc.frames_in_flight) {
+      draws_(desc.draws) {
   using Usage = vk::ImageUsageFlagBits;
   const MapExtent& extent = desc.extent;
   triangles_ = gpu::Image(device, {"sub-pixel map", vk::Format::eR32G32B32A32Uint, extent.width, extent.height,
@@ -41,22 +40,14 @@ SubpixelStorage::SubpixelStorage(const gpu::Device& device, const StorageDesc& d
   minimum_ =
       gpu::Image(device, {"sub-pixel minimum depth", vk::Format::eD32Sfloat, extent.width, extent.height, extent.layers,
                           Usage::eDepthStencilAttachment | Usage::eSampled | Usage::eTransferSrc, true});
-  gpu::GraphicsDesc pipeline = casters_shaders(desc.spec);
-  CasterDraws::describe(pipeline, desc.lookup_layout);
-  render::CulledDraws::set_vertex_input(pipeline, render::SceneInputs::surface);  // tells closed bodies
-  pipeline.colors = {triangles_.desc().format};
-  pass_ = gpu::GraphicsPass(device, pipeline);
+  // The surface tells closed bodies.
+  draws_.make_pipelines(device,
+                        {desc.spec, desc.lookup_layout, {triangles_.desc().format}, render::SceneInputs::surface});
 }
 
-void SubpixelStorage::prepare(const Frame& frame, uint32_t slot, std::span<const MapView> views) {
-  draws_.prepare(frame, slot, views);
-}
-
-void SubpixelStorage::record(const Frame& frame, uint32_t slot, std::span<const MapView> views,
-                             vk::DescriptorSet lookup_set, gpu::Recorder& recorder) {
-  draws_.cull(frame, slot, recorder);
+void SubpixelStorage::record(const Frame& frame, vk::DescriptorSet lookup_set, gpu::Recorder& recorder) {
   recorder.stage("shadow map", [&](const vk::raii::CommandBuffer& commands) {
-    draws_.draw_views(commands, frame, views, minimum_, std::span(&triangles_, 1), pass_, lookup_set);
+    draws_.draw_targets(commands, frame, minimum_, std::span(&triangles_, 1), lookup_set);
   });
 }
 
@@ -70,9 +61,7 @@ Picture SubpixelStorage::debug_picture(std::string_view) {
 }
 
 std::vector<Allocation> SubpixelStorage::allocations() const {
-  std::vector<Allocation> result = draws_.allocations();
-  result.insert(result.begin(), {triangles_.allocation(), minimum_.allocation(), tables_.allocation()});
-  return result;
+  return {triangles_.allocation(), minimum_.allocation(), tables_.allocation()};
 }
 
 }  // namespace shadewright::shadow

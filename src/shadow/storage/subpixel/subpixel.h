@@ -8,7 +8,6 @@
 // - slopes=wide (default) has 11 bits a slope and depth within the texel; power is the paper's, linear figure 6's.
 #pragma once
 
-#include "shadow/storage/caster_draws.h"
 #include "shadow/storage/storage.h"
 
 namespace shadewright::shadow {
@@ -17,9 +16,7 @@ class SubpixelStorage final : public Storage {
  public:
   SubpixelStorage(const gpu::Device& device, const StorageDesc& desc);
 
-  void prepare(const Frame& frame, uint32_t slot, std::span<const MapView> views) override;
-  void record(const Frame& frame, uint32_t slot, std::span<const MapView> views, vk::DescriptorSet lookup_set,
-              gpu::Recorder& recorder) override;
+  void record(const Frame& frame, vk::DescriptorSet lookup_set, gpu::Recorder& recorder) override;
   std::vector<gpu::Binding> lookup_bindings() const override;
   std::vector<Allocation> allocations() const override;
   /// The consistent minimum depths, near bright and empty black, layers one below the other.
@@ -30,8 +27,7 @@ class SubpixelStorage final : public Storage {
   gpu::Image triangles_, minimum_;
   gpu::Buffer tables_;
   vk::raii::Sampler sampler_;
-  gpu::GraphicsPass pass_;
-  CasterDraws draws_;
+  CasterDraws& draws_;
 };
 
 }  // namespace shadewright::shadow

@@ -6,7 +6,6 @@
 
 #include <array>
 
-#include "shadow/storage/caster_draws.h"
 #include "shadow/storage/storage.h"
 
 namespace shadewright::shadow {
@@ -15,9 +14,7 @@ class TriangleStorage final : public Storage {
  public:
   TriangleStorage(const gpu::Device& device, const StorageDesc& desc);
 
-  void prepare(const Frame& frame, uint32_t slot, std::span<const MapView> views) override;
-  void record(const Frame& frame, uint32_t slot, std::span<const MapView> views, vk::DescriptorSet lookup_set,
-              gpu::Recorder& recorder) override;
+  void record(const Frame& frame, vk::DescriptorSet lookup_set, gpu::Recorder& recorder) override;
   std::vector<gpu::Binding> lookup_bindings() const override;
   std::vector<Allocation> allocations() const override;
   /// The depths, near bright and empty black, layers one below the other.
@@ -29,8 +26,7 @@ class TriangleStorage final : public Storage {
   std::array<gpu::Image, 3> vertices_;
   gpu::Buffer constants_;
   vk::raii::Sampler sampler_;
-  gpu::GraphicsPass pass_;
-  CasterDraws draws_;
+  CasterDraws& draws_;
 };
 
 }  // namespace shadewright::shadow

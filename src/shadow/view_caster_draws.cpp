@@ -1,0 +1,67 @@
+#include "shadow/view_caster_draws.h"
+
+#include <algorithm>
+
+#include "shadow/lookup_shaders.h"
+
+namespace shadewright::shadow {
+
+namespace {
+
+/// What a view that draws nothing lets through.
+const Plane nothing{{0, 0, 0}, -1};
+
+}  // namespace
+
+gpu::GraphicsDesc ViewCasterDraws::describe(const CasterPipelineDesc& desc) {
+  gpu::GraphicsDesc pipeline = casters_shaders(desc.spec);
+  render::CulledDraws::set_vertex_input(pipeline, desc.inputs);
+  pipeline.sets = {desc.lookup_layout};
+  pipeline.push_bytes = sizeof(uint32_t);
+  pipeline.depth_clamp = true;
+  pipeline.colors = desc.colors;
+  return pipeline;
+}
+
+void ViewCasterDraws::make_pipelines(const gpu::Device& device, const CasterPipelineDesc& desc) {
+  pass_ = gpu::GraphicsPass(device, describe(desc));
+}
+
+void ViewCasterDraws::prepare(const Frame& frame, uint32_t slot, std::span<const MapView> views) {
+  views_ = views;
+  if (!frame.scene) return;
+  if (scene_ != frame.scene) {
+    draws_.emplace(*frame.scene, max_views_, frames_in_flight_, "shadow");
+    scene_ = frame.scene;
+  }
+  std::vector<std::vector<Plane>> planes;
+  std::transform(views.begin(), views.end(), std::back_inserter(planes),
+                 [](const MapView& view) { return view.drawn ? view.casters : std::vector<Plane>{nothing}; });
+  draws_->set_views(slot, planes, {}, frame.casters);
+}
+
+void ViewCasterDraws::cull(const Frame& frame, uint32_t slot, const ReceiverLookup&, gpu::Recorder& recorder) {
+  if (frame.scene)
+    recorder.stage("shadow cull", [&](const vk::raii::CommandBuffer& commands) { draws_->cull(commands, slot); });
+}
+
+void ViewCasterDraws::draw(const vk::raii::CommandBuffer& commands, const Frame& frame, uint32_t index,
+                           vk::DescriptorSet lookup_set) const {
+  const MapView& view = views_[index];
+  const vk::Rect2D area = view.viewport;
+  commands.setViewport(
+      0, vk::Viewport(static_cast<float>(area.offset.x), static_cast<float>(area.offset.y),
+                      static_cast<float>(area.extent.width), static_cast<float>(area.extent.height), 0, 1));
+  commands.setScissor(0, area);
+  if (frame.scene) {
+    pass_.bind(commands, {}, gpu::bytes_of(index), std::span(&lookup_set, 1));
+    draws_->draw(commands, index);
+  }
+  if (frame.draw_casters) frame.draw_casters({commands, index, view, lookup_set});
+}
+
+std::vector<Allocation> ViewCasterDraws::allocations() const {
+  return draws_ ? draws_->allocations() : std::vector<Allocation>{};
+}
+
+}  // namespace shadewright::shadow
