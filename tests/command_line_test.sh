@@ -56,7 +56,7 @@ refuses 2 'only one frame' compare builtin:spheres -t sm -o out --every-frame "$
 refuses 2 'several images' render builtin:street -t sm -o - --path main --frames 2 "${small[@]}"
 refuses 2 'report.json' compare builtin:spheres -t sm -o out --against missing.json "${small[@]}"
 refuses 2 'downwards' compare builtin:spheres -t sm@1024..512 -o out "${small[@]}"
-refuses 2 'not built yet' bench rmsm -o out
+refuses 2 'not built yet' bench rtw -o out
 refuses 2 'not built yet' view
 refuses 2 'help' render
 refuses 2 'help' nonsense

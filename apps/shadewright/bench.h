@@ -47,6 +47,7 @@ class Bench {
 
 std::vector<BenchTable> bench_cpvs(Bench& bench);
 std::vector<BenchTable> bench_psm(Bench& bench);
+std::vector<BenchTable> bench_rmsm(Bench& bench);
 std::vector<BenchTable> bench_spsm(Bench& bench);
 
 }  // namespace shadewright::app

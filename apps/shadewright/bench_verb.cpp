@@ -23,7 +23,7 @@ struct Paper {
   std::vector<BenchTable> (*run)(Bench&);
 };
 constexpr Paper papers[] = {
-    {"psm", bench_psm}, {"rmsm", nullptr}, {"rtw", nullptr}, {"cpvs", bench_cpvs}, {"spsm", bench_spsm}};
+    {"psm", bench_psm}, {"rmsm", bench_rmsm}, {"rtw", nullptr}, {"cpvs", bench_cpvs}, {"spsm", bench_spsm}};
 
 struct Flags {
   std::vector<std::string> papers;

@@ -67,6 +67,7 @@ void visit_features(DeviceFeatures& f, Visitor visit) {
   visit("multiDrawIndirect", f.core.features.multiDrawIndirect);
   visit("drawIndirectFirstInstance", f.core.features.drawIndirectFirstInstance);
   visit("depthClamp", f.core.features.depthClamp);
+  visit("shaderClipDistance", f.core.features.shaderClipDistance);
   visit("geometryShader", f.core.features.geometryShader);  // gl_PrimitiveID in fragment shaders
   visit("shaderStorageImageExtendedFormats", f.core.features.shaderStorageImageExtendedFormats);
   visit("shaderDrawParameters", f.vulkan11.shaderDrawParameters);

@@ -1,7 +1,10 @@
 #include <numeric>
+#include <random>
 #include <vector>
 
+#include "gpu/compaction.h"
 #include "gpu/device_for_test.h"
+#include "gpu/radix_sort.h"
 #include "shadewright/error.h"
 #include "shadewright/gpu/pass.h"
 #include "shadewright/gpu/recorder.h"
@@ -50,6 +53,69 @@ TEST_F(GpuTest, ImagesReadBackLayerByLayer) {
   });
   EXPECT_EQ(read_back(device(), image, 1, 0), std::vector<std::byte>(15, std::byte{0}));
   EXPECT_EQ(read_back(device(), image, 1, 1), std::vector<std::byte>(15, std::byte{255}));
+}
+
+TEST_F(GpuTest, ScansLikeTheStandardLibrary) {
+  std::mt19937 random(5);
+  const Scan scan(device(), 2'000'003);
+  for (const uint32_t count : {0u, 1u, 7u, 63u, 64u, 1'023u, 1'024u, 1'025u, 65'537u, 70'001u, 2'000'003u}) {
+    std::vector<uint32_t> values(count), expected(count);
+    for (uint32_t& value : values) value = static_cast<uint32_t>(random() % 1000);
+    std::exclusive_scan(values.begin(), values.end(), expected.begin(), 0u);
+    const Buffer buffer = make_buffer<uint32_t>(device(), "numbers", values);
+    submit_and_wait(device(), [&](const auto& commands) { scan.record(commands, buffer, count); });
+    const auto bytes = read_back(device(), buffer, std::max<uint64_t>(count * sizeof(uint32_t), 4));
+    EXPECT_EQ(std::memcmp(bytes.data(), expected.data(), count * sizeof(uint32_t)), 0) << count;
+    const auto totals = read_back(device(), scan.totals(), scan.totals().size());
+    uint32_t total;
+    std::memcpy(&total, totals.data() + Scan::total_index(count) * sizeof(uint32_t), sizeof(total));
+    EXPECT_EQ(total, std::accumulate(values.begin(), values.end(), 0u)) << count;
+  }
+}
+
+std::vector<uint32_t> read_numbers(const Device& device, const Buffer& buffer, size_t count) {
+  std::vector<uint32_t> numbers(count);
+  const auto bytes = read_back(device, buffer, std::max<uint64_t>(count * sizeof(uint32_t), 4));
+  std::memcpy(numbers.data(), bytes.data(), count * sizeof(uint32_t));
+  return numbers;
+}
+
+TEST_F(GpuTest, CompactsLikeTheStandardLibrary) {
+  std::mt19937 random(6);
+  const Compaction compaction(device(), 2'000'003);
+  for (const uint32_t count : {0u, 1u, 2u, 255u, 256u, 70'001u, 2'000'003u}) {
+    std::vector<uint32_t> values(count), kept;
+    for (uint32_t& value : values) value = random() % 3 == 0 ? ~0u : static_cast<uint32_t>(random() % 1000);
+    std::copy_if(values.begin(), values.end(), std::back_inserter(kept), [](uint32_t v) { return v != ~0u; });
+    const Buffer in = make_buffer<uint32_t>(device(), "numbers", values);
+    const Buffer out(device(), "kept", std::max(count, 1u) * sizeof(uint32_t));
+    submit_and_wait(device(), [&](const auto& commands) { compaction.record(commands, in, count, out); });
+    const uint32_t at = Scan::total_index(count);
+    EXPECT_EQ(read_numbers(device(), compaction.scan().totals(), at + 1)[at], kept.size()) << count;
+    EXPECT_EQ(read_numbers(device(), out, kept.size()), kept) << count;
+  }
+}
+
+TEST_F(GpuTest, SortsAndUniquifiesLikeTheStandardLibrary) {
+  std::mt19937 random(7);
+  const RadixSort sort(device(), 2'000'003);
+  const Compaction compaction(device(), 2'000'003);
+  for (const uint32_t bits : {12u, 23u, 32u})
+    for (const uint32_t count : {0u, 1u, 2u, 1'023u, 1'025u, 70'001u, bits == 23 ? 2'000'003u : 3u}) {
+      std::vector<uint32_t> keys(count);
+      for (uint32_t& key : keys) key = static_cast<uint32_t>(random() & ((uint64_t{1} << bits) - 1));
+      const Buffer buffer = make_buffer<uint32_t>(device(), "keys", keys);
+      const Buffer unique(device(), "unique keys", std::max(count, 1u) * sizeof(uint32_t));
+      submit_and_wait(device(), [&](const auto& commands) {
+        sort.record(commands, buffer, count, bits);
+        memory_barrier(commands);
+        compaction.record_unique(commands, buffer, count, unique);
+      });
+      std::sort(keys.begin(), keys.end());
+      EXPECT_EQ(read_numbers(device(), buffer, count), keys) << count << " of " << bits << " bits";
+      keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+      EXPECT_EQ(read_numbers(device(), unique, keys.size()), keys) << count << " of " << bits << " bits";
+    }
 }
 
 TEST_F(GpuTest, RefusesImagesBeyondTheDevice) {

@@ -114,10 +114,22 @@ ComputePass::ComputePass(const Device& device, std::span<const uint32_t> spirv, 
 void ComputePass::dispatch(const vk::raii::CommandBuffer& commands, std::span<const Binding> bindings,
                            std::span<const std::byte> push, vk::Extent3D groups,
                            std::span<const vk::DescriptorSet> sets) const {
+  bind(commands, bindings, push, sets);
+  commands.dispatch(groups.width, groups.height, groups.depth);
+}
+
+void ComputePass::dispatch_indirect(const vk::raii::CommandBuffer& commands, std::span<const Binding> bindings,
+                                    std::span<const std::byte> push, const Buffer& buffer, uint64_t offset,
+                                    std::span<const vk::DescriptorSet> sets) const {
+  bind(commands, bindings, push, sets);
+  commands.dispatchIndirect(buffer.handle(), offset);
+}
+
+void ComputePass::bind(const vk::raii::CommandBuffer& commands, std::span<const Binding> bindings,
+                       std::span<const std::byte> push, std::span<const vk::DescriptorSet> sets) const {
   commands.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline_);
   bind_sets(commands, vk::PipelineBindPoint::eCompute, layout_, bindings, sets);
   push_constants(commands, layout_, vk::ShaderStageFlagBits::eCompute, push);
-  commands.dispatch(groups.width, groups.height, groups.depth);
 }
 
 GraphicsPass::GraphicsPass(const Device& device, const GraphicsDesc& desc) {

@@ -39,8 +39,14 @@ class CasterDraws {
                     vk::DescriptorSet lookup_set) const = 0;
   virtual std::vector<Allocation> allocations() const = 0;
 
-  /// Draws every drawn target into its layer of `depth`, which is cleared to 1, and of `colors`, which are not cleared:
-  /// a texel whose depth is 1 is empty, whatever its colors. All images are left in shader-read layout.
+  /// True if a target keeps what it held in the last frame, but for what `draw` empties and draws anew.
+  virtual bool keeps() const { return false; }
+  /// Device work before the rendering of target `index`.
+  virtual void before(const vk::raii::CommandBuffer& /*commands*/, const Frame&, uint32_t /*index*/,
+                      vk::DescriptorSet /*lookup_set*/) const {}
+  /// Draws every drawn target into its layer of `depth`, which is cleared to 1 unless it keeps, and of `colors`, which
+  /// are not cleared: a texel whose depth is 1 is empty, whatever its colors. All images are left in shader-read
+  /// layout.
   void draw_targets(const vk::raii::CommandBuffer& commands, const Frame& frame, gpu::Image& depth,
                     std::span<gpu::Image> colors, vk::DescriptorSet lookup_set) const;
 };

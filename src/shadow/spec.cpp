@@ -67,6 +67,18 @@ const std::vector<SpecKey>& all_keys() {
           "of psm: the eye moves back to where texels are smallest in the image, or as little as the paper asks"),
       choice_key("fit", "perspective", {"visible", "view"},
                  "what receives: this frame's surface points, or without waiting what the camera's frustum holds"),
+      whole_key("pool", "paged", 1024, 8192, "4096", "texels per axis of the image that holds the pages"),
+      choice_key("cache", "paged", {"off", "on"},
+                 "keep pages from frame to frame and draw only what is new, or touched by a caster that moved"),
+      choice_key(
+          "refine", "paged", {"none", "edges"},
+          "none: draw what each pixel asks for (RMSM); edges: start coarse and refine shadow edges until no pixel "
+          "asks for more (ASM)"),
+      choice_key("statistics", "paged", {"off", "on"},
+                 "also count how the filter's taps are answered and how much of the pages they read"),
+      choice_key(
+          "lod", "paged", {"area", "box", "axis"},
+          "a pixel's size in the map: its area (RMSM equation 1), its longer side, or its ellipse's smaller axis"),
       whole_key("radius", "pcf", 0, 8, "1", "the filter's box reaches this many texels to each side"),
       whole_key("cascades", "cascaded", 1, 8, "4", "slices of the view, each with a map of its own"),
       number_key("lambda", "cascaded", 0, 1, "0.85", "where to split: lambda * logarithmic + (1 - lambda) * linear"),

@@ -57,8 +57,16 @@ class ComputePass {
   void dispatch(const vk::raii::CommandBuffer& commands, std::span<const Binding> bindings,
                 std::span<const std::byte> push, vk::Extent3D groups,
                 std::span<const vk::DescriptorSet> sets = {}) const;
+  /// The same with as many work groups as stand in `buffer` at `offset` bytes (VkDispatchIndirectCommand).
+  void dispatch_indirect(const vk::raii::CommandBuffer& commands, std::span<const Binding> bindings,
+                         std::span<const std::byte> push, const Buffer& buffer, uint64_t offset,
+                         std::span<const vk::DescriptorSet> sets = {}) const;
+  explicit operator bool() const { return *pipeline_; }
 
  private:
+  void bind(const vk::raii::CommandBuffer& commands, std::span<const Binding> bindings, std::span<const std::byte> push,
+            std::span<const vk::DescriptorSet> sets) const;
+
   vk::raii::DescriptorSetLayout set_layout_{nullptr};
   vk::raii::PipelineLayout layout_{nullptr};
   vk::raii::Pipeline pipeline_{nullptr};

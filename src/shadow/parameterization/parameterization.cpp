@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "shadow/parameterization/cascaded/cascaded.h"
+#include "shadow/parameterization/paged/paged.h"
 #include "shadow/parameterization/perspective/perspective.h"
 #include "shadow/parameterization/uniform/uniform.h"
 #include "shadow/view_caster_draws.h"
@@ -24,6 +25,7 @@ std::unique_ptr<Parameterization> make_parameterization(const gpu::Device& devic
                                          spec.choice("fit") == "visible"};
     return std::make_unique<Perspective>(device, spec.resolution, perspective, options.width, options.height);
   }
+  if (spec.parameterization == "paged") return std::make_unique<Paged>(device, spec, options);
   throw std::logic_error(fmt::format("parameterization '{}' has shaders but no class", spec.parameterization));
 }
 

@@ -1,0 +1,24 @@
+// trilinear: 2x2 percentage-closer filtering in the two levels around the pixel's, blended (RMSM, section 3.3.1).
+
+// The four texel centres around `world` at a level, each compared with the depth of the receiver's plane there and weighted
+// bilinearly. A tap is mapped anew: it may lie on another page, or be answered by a coarser page than its neighbours.
+float trilinear_level(vec3 world, vec4 plane, uint level) {
+  MapPoint p = map_point_at(world, plane, level);
+  if (!p.valid) return 1.0;
+  vec2 corner = p.uv / p.texel - 0.5;
+  vec2 first = floor(corner), weight = corner - first;
+  float lit = 0.0;
+  for (int k = 0; k < 4; ++k) {
+    vec2 step = vec2(k & 1, k >> 1);
+    vec2 share = mix(1.0 - weight, weight, step);
+    lit += share.x * share.y * storage_visible(map_tap(p, (first + step + 0.5) * p.texel));
+  }
+  return lit;
+}
+
+float filter_visible(vec3 world, vec4 plane) {
+  float level = map_level(world, plane);
+  uint fine = uint(level);
+  float visible = trilinear_level(world, plane, fine);
+  return mix(visible, trilinear_level(world, plane, fine + 1u), fract(level));
+}

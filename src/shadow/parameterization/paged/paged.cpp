@@ -1,0 +1,412 @@
+#include "shadow/parameterization/paged/paged.h"
+
+#include <array>
+#include <bit>
+#include <cstddef>
+
+#include "shaders/page_allocate_comp.h"
+#include "shaders/page_counts_comp.h"
+#include "shaders/page_edges_comp.h"
+#include "shaders/page_invalidate_comp.h"
+#include "shaders/page_levels_comp.h"
+#include "shaders/page_picture_comp.h"
+#include "shaders/page_plan_comp.h"
+#include "shaders/page_requests_comp.h"
+#include "shaders/page_statistics_comp.h"
+#include "shadewright/error.h"
+#include "shadow/parameterization/paged/paged_caster_draws.h"
+#include "shadow/parameterization/uniform/fit.h"
+
+namespace shadewright::shadow {
+
+namespace {
+
+/// Refinement that has not come to rest by then is cut short; the paper's is not guaranteed to.
+constexpr uint32_t max_iterations = 64;
+constexpr uint32_t epochs = 1u << 11;  // the table's entries tell so many apart, see paged.glsl
+
+uint32_t words_of(uint32_t top) {
+  const uint32_t k = top + 1;
+  return k < 3 ? k : 3 + ((1u << 2 * k) - 64) / 96;
+}
+
+/// Receivers' bounds with the same width on both axes of the map, so that texels are square.
+Box squared(Box box) {
+  if (box.empty()) return box;
+  const double half = 0.5 * std::max(box.size().x, box.size().y);
+  const glm::dvec2 center(box.center());
+  box.min = {center.x - half, center.y - half, box.min.z};
+  box.max = {center.x + half, center.y + half, box.max.z};
+  return box;
+}
+
+/// A filter's taps lie up to a texel from what they ask for: a border of a texel of the coarsest level, a page, keeps
+/// them all inside of the window of their view (or face: no tap needs another one), and so on pages that exist.
+double border_texels(const Spec& spec) {
+  return spec.filter == "trilinear" ? 1 + spec.resolution / (shared::page_texels - 2.0) : 1;
+}
+
+uint32_t lod(const std::string& name) {
+  if (name == "box") return shared::lod_box;
+  return name == "axis" ? shared::lod_axis : shared::lod_area;
+}
+
+}  // namespace
+
+Paged::Paged(const gpu::Device& device, const Spec& spec, const TechniqueOptions& options)
+    : device_(device),
+      spec_(spec),
+      frames_in_flight_(options.frames_in_flight),
+      pool_texels_(static_cast<uint32_t>(spec.number("pool"))),
+      cached_(spec.choice("cache") == "on"),
+      edges_(spec.choice("refine") == "edges"),
+      changes_(device, options.frames_in_flight) {
+  if (!std::has_single_bit(spec.resolution))
+    throw InputError(spec.text, "a paged map's resolution is a power of two", "give 1024, 2048, ... 131072");
+  if (pool_texels_ % shared::page_texels != 0)
+    throw InputError(spec.text, "the pool is no multiple of a page's 32 texels", "give 1024, 2048, 4096, ...");
+  if (edges_ && spec.storage != "depth")
+    throw InputError(spec.text, "edges are found in depths alone", "leave refine=edges out");
+  top_ = static_cast<uint32_t>(std::countr_zero(spec.resolution / shared::page_texels));
+  words_ = words_of(top_);
+  for (uint32_t i = 0; i < frames_in_flight_; ++i) {
+    constants_.emplace_back(device, "page constants", sizeof(shared::PagedConstants), gpu::HostAccess::write);
+    results_.emplace_back(device, "page counters", sizeof(shared::PageState), gpu::HostAccess::read);
+    std::memset(results_.back().mapped<std::byte>().data(), 0, sizeof(shared::PageState));
+  }
+  if (spec.choice("statistics") == "on")
+    used_ = gpu::Buffer(device, "used texels", uint64_t{pool_texels_} * pool_texels_ / 8);
+  state_ = gpu::Buffer(device, "page state", sizeof(shared::PageState));
+  using enum gpu::BindingKind;
+  levels_pass_ = gpu::ComputePass(device, shaders::page_levels_comp,
+                                  {uniform_buffer, storage_buffer, storage_buffer, storage_buffer, storage_buffer});
+  plan_pass_ = gpu::ComputePass(device, shaders::page_plan_comp, {uniform_buffer, storage_buffer});
+  counts_pass_ = gpu::ComputePass(device, shaders::page_counts_comp,
+                                  {uniform_buffer, storage_buffer, storage_buffer, storage_buffer, storage_buffer,
+                                   storage_buffer, storage_buffer, storage_buffer});
+}
+
+MapExtent Paged::map_extent(LightKind) const {
+  return {pool_texels_, pool_texels_, 1};
+}
+
+std::unique_ptr<CasterDraws> Paged::make_caster_draws(LightKind light, uint32_t) {
+  make_tables(light);
+  return std::make_unique<PagedCasterDraws>(device_, *this, light == LightKind::point);
+}
+
+void Paged::make_tables(LightKind light) {
+  const uint32_t faces = light == LightKind::point ? 6 : 1;
+  if (faces == faces_) return;
+  const uint64_t pages = uint64_t{words_} * 32 * faces;
+  if (pages * sizeof(uint32_t) > device_.physical().getProperties().limits.maxStorageBufferRange)
+    throw InputError(spec_.text, "the page table of a point light's six faces is larger than the device can bind",
+                     "give a lower resolution");
+  faces_ = faces;
+  const uint32_t words = words_ * faces;
+  requested_ = gpu::Buffer(device_, "requested pages", words * sizeof(uint32_t));
+  requested_or_finer_ = gpu::Buffer(device_, "requested pages' parents", words * sizeof(uint32_t));
+  placed_ = gpu::Buffer(device_, "placed pages", words * sizeof(uint32_t));
+  valid_ = gpu::Buffer(device_, "valid pages", words * sizeof(uint32_t));
+  draw_ = gpu::Buffer(device_, "pages to draw", words * sizeof(uint32_t));
+  draw_or_finer_ = gpu::Buffer(device_, "parents of pages to draw", words * sizeof(uint32_t));
+  counts_ = gpu::Buffer(device_, "page counts", words * sizeof(uint32_t));
+  table_ = gpu::Buffer(device_, "page table", pages * sizeof(uint32_t));
+  const uint64_t pool_pages = uint64_t{pool_texels_} * pool_texels_ / (shared::page_texels * shared::page_texels);
+  clear_quads_ = gpu::Buffer(device_, "page quads", pool_pages * 6 * sizeof(shared::PageVertex));
+  table_is_void_ = true;
+  scan_ = gpu::Scan(device_, words);
+  requests_pass_ = {};
+}
+
+void Paged::prepare(const Frame& frame, gpu::Recorder& recorder) {
+  slot_ = static_cast<uint32_t>(frame.index % frames_in_flight_);
+  recorder.cpu_stage("fit", [&] {
+    changes_.find(frame);
+    // Kept pages stay where they are as long as what receives stays inside the map: what moves gets room for it.
+    const bool moves = cached_ && frame.scene && !frame.scene->moving_instances().empty();
+    if (!cached_ || changes_.all() || (changes_.any() && !fits(frame))) fit(frame, moves ? 0.1 : 0.0);
+  });
+  write_constants(frame);
+}
+
+void Paged::fit(const Frame& frame, double margin) {
+  views_.clear();
+  light_frames_.clear();
+  held_.clear();
+  for (const LightFrame& light : light_frames(frame.light)) {
+    const std::vector<glm::dvec3> points = receiver_points(frame, window_planes(light));
+    const LightFrame turned = light.perspective ? light : turn_to_fit(light, points);
+    Box box = squared(receiver_bounds(turned, points));
+    if (!box.empty()) {
+      const glm::dvec3 wider = margin * box.size();
+      box.min -= wider;
+      // The nearest receiver's z is negative, and stays so.
+      box.max += light.perspective ? glm::dvec3(wider.x, wider.y, -margin * box.max.z) : wider;
+    }
+    MapView view = fit_view(turned, box, spec_.resolution, border_texels(spec_));
+    view.casters = caster_planes(view, frame.camera, frame.light, false);
+    views_.push_back(std::move(view));
+    light_frames_.push_back(turned);
+    held_.push_back(box);
+  }
+  new_fit_ = true;
+}
+
+bool Paged::fits(const Frame& frame) const {
+  for (size_t i = 0; i < light_frames_.size(); ++i) {
+    const LightFrame& light = light_frames_[i];
+    const Box now = receiver_bounds(light, receiver_points(frame, window_planes(light)));
+    if (!now.empty() && !(held_[i].contains(now.min) && held_[i].contains(now.max))) return false;
+  }
+  return true;
+}
+
+void Paged::write_constants(const Frame& frame) {
+  shared::PagedConstants constants{};
+  const render::CameraView& camera = frame.camera;
+  const glm::dvec2 center = 0.5 * glm::dvec2(camera.width, camera.height);
+  const glm::dvec3 ray = camera.ray(center);
+  constants.pixel_x = glm::vec3(camera.ray(center + glm::dvec2(1, 0)) - ray);
+  constants.pixel_y = glm::vec3(camera.ray(center + glm::dvec2(0, 1)) - ray);
+  // View depth is what the w row of the camera's matrix tells; every ray's is 1.
+  const glm::dvec3 w(camera.clip_from_world[0].w, camera.clip_from_world[1].w, camera.clip_from_world[2].w);
+  constants.view_axis = glm::vec3(w / glm::dot(w, ray));
+  constants.top = top_;
+  constants.finest = 0;
+  constants.faces = static_cast<uint32_t>(views_.size());
+  constants.words = words_;
+  constants.pool_width = pool_texels_ / shared::page_texels;
+  constants.pool_pages = constants.pool_width * constants.pool_width;
+  // The table's epochs run out: what the device told last is some frames old.
+  table_is_void_ |= results_[slot_].mapped<shared::PageState>()[0].epoch + 2 * frames_in_flight_ >= epochs;
+  constants.flush = !cached_ || new_fit_ || table_is_void_ ? 1 : 0;
+  new_fit_ = false;
+  constants.lod = lod(spec_.choice("lod"));
+  const bool trilinear = spec_.filter == "trilinear";
+  constants.footprint = trilinear ? 0.5f : 0.0f;
+  constants.footprint_levels = trilinear ? 2 : 1;
+  for (size_t face = 0; face < views_.size(); ++face) {
+    // Casters count from a hundredth of the nearest receiver's distance on: depth is 0 there or clamped to it.
+    const glm::dmat4& m = views_[face].light_from_world;
+    const glm::dvec3 depth(m[0].z, m[1].z, m[2].z), distance(m[0].w, m[1].w, m[2].w);
+    const double scale =
+        glm::dot(distance, distance) > 0 ? glm::dot(depth, distance) / glm::dot(distance, distance) : 0;
+    const double offset = m[3].z - scale * m[3].w;
+    constants.near[face] = scale == 0 ? 0.5f : static_cast<float>(0.01 * -offset / scale);
+  }
+  constants_[slot_].mapped<shared::PagedConstants>()[0] = constants;
+}
+
+std::vector<gpu::BindingKind> Paged::lookup_kinds() const {
+  using enum gpu::BindingKind;
+  return {uniform_buffer, storage_buffer, storage_buffer};
+}
+
+std::vector<gpu::Binding> Paged::lookup_bindings(uint32_t slot) const {
+  using gpu::Binding;
+  return {Binding::uniform(constants_[slot]), Binding::storage(state_), Binding::storage(table_)};
+}
+
+void Paged::refine(const Frame& frame, const ReceiverLookup& lookup, gpu::Recorder& recorder,
+                   const std::function<void()>& draw) {
+  if (!edges_) return;
+  iterations_ = raw_requests_ = pages_drawn_ = 0;
+  const auto& result = results_[slot_].mapped<shared::PageState>()[0];
+  make_passes(lookup.layout);
+  do {
+    recorder.stage("page requests", [&](const vk::raii::CommandBuffer& commands) {
+      empty_requests(commands);
+      if (iterations_ == 0)
+        record_seed(commands);
+      else
+        dispatch_pixels(edges_pass_, frame, lookup, commands);
+    });
+    recorder.stage("page allocation",
+                   [&](const vk::raii::CommandBuffer& commands) { record_allocation(lookup, commands); });
+    draw();
+    recorder.wait();
+    constants_[slot_].mapped<shared::PagedConstants>()[0].flush = 0;
+    raw_requests_ += result.raw_requests;
+    pages_drawn_ += result.pages_drawn;
+  } while (++iterations_ < max_iterations && (iterations_ == 1 || result.pages_drawn > 0));
+}
+
+void Paged::record_seed(const vk::raii::CommandBuffer& commands) const {
+  for (uint32_t face = 0; face < faces_; ++face) {
+    const auto fill = [&](const gpu::Buffer& mask, uint32_t first, uint32_t count, uint32_t bits) {
+      commands.fillBuffer(mask.handle(), (uint64_t{face} * words_ + first) * sizeof(uint32_t), count * sizeof(uint32_t),
+                          bits);
+    };
+    constexpr uint32_t seed = 5;  // 4^5 pages: 1,024^2 texels
+    fill(requested_, words_of(seed - 1), words_of(seed) - words_of(seed - 1), ~0u);
+    fill(requested_or_finer_, 0, 1, 0x1);
+    fill(requested_or_finer_, 1, 1, 0xf);
+    fill(requested_or_finer_, 2, 1, 0xffff);
+    fill(requested_or_finer_, 3, words_of(seed) - 3, ~0u);
+  }
+}
+
+void Paged::record(const Frame& frame, const ReceiverLookup& lookup, gpu::Recorder& recorder) {
+  make_passes(lookup.layout);
+  // Pages that refinement has drawn need no requests.
+  recorder.stage("page requests", [&](const vk::raii::CommandBuffer& commands) {
+    empty_requests(commands);
+    if (!edges_) dispatch_pixels(requests_pass_, frame, lookup, commands);
+  });
+  if (!edges_)
+    recorder.stage("page allocation",
+                   [&](const vk::raii::CommandBuffer& commands) { record_allocation(lookup, commands); });
+  if (used_)
+    recorder.stage("page statistics",
+                   [&](const vk::raii::CommandBuffer& commands) { record_statistics(frame, lookup, commands); });
+}
+
+void Paged::make_passes(vk::DescriptorSetLayout lookup_layout) {
+  if (requests_pass_) return;
+  using enum gpu::BindingKind;
+  const std::span layouts(&lookup_layout, 1);
+  const bool six_faces = faces_ == 6;
+  const auto of_pixels = [&](std::span<const uint32_t> spirv, size_t buffers) {
+    std::vector kinds{uniform_buffer, sampled_image, sampled_image};
+    kinds.insert(kinds.end(), buffers, storage_buffer);
+    return gpu::ComputePass(device_, spirv, kinds, 0, layouts, six_faces);
+  };
+  requests_pass_ = of_pixels(shaders::page_requests_comp, 3);
+  if (edges_) edges_pass_ = of_pixels(shaders::page_edges_comp, 3);
+  statistics_pass_ = of_pixels(shaders::page_statistics_comp, 2);
+  allocate_pass_ =
+      gpu::ComputePass(device_, shaders::page_allocate_comp, std::vector(9, storage_buffer), 0, layouts, six_faces);
+  invalidate_pass_ =
+      gpu::ComputePass(device_, shaders::page_invalidate_comp, {storage_buffer, storage_buffer}, 0, layouts, six_faces);
+}
+
+void Paged::empty_requests(const vk::raii::CommandBuffer& commands) {
+  for (const gpu::Buffer* buffer : {&requested_, &requested_or_finer_, &draw_or_finer_})
+    commands.fillBuffer(buffer->handle(), 0, VK_WHOLE_SIZE, 0);
+  commands.fillBuffer(state_.handle(), 0, table_is_void_ ? VK_WHOLE_SIZE : offsetof(shared::PageState, epoch), 0);
+  if (table_is_void_) commands.fillBuffer(table_.handle(), 0, VK_WHOLE_SIZE, 0);
+  table_is_void_ = false;
+  gpu::memory_barrier(commands);
+}
+
+void Paged::dispatch_pixels(const gpu::ComputePass& pass, const Frame& frame, const ReceiverLookup& lookup,
+                            const vk::raii::CommandBuffer& commands) const {
+  std::vector<gpu::Binding> all(lookup.receivers.begin(), lookup.receivers.end());
+  for (const gpu::Buffer* buffer : {&requested_, &requested_or_finer_, &state_})
+    all.push_back(gpu::Binding::storage(*buffer));
+  pass.dispatch(commands, all, {}, {gpu::groups(frame.camera.width, 8), gpu::groups(frame.camera.height, 8), 1},
+                std::span(&lookup.set, 1));
+}
+
+void Paged::record_statistics(const Frame& frame, const ReceiverLookup& lookup,
+                              const vk::raii::CommandBuffer& commands) {
+  commands.fillBuffer(used_.handle(), 0, VK_WHOLE_SIZE, 0);
+  gpu::memory_barrier(commands);
+  std::vector<gpu::Binding> all(lookup.receivers.begin(), lookup.receivers.end());
+  all.push_back(gpu::Binding::storage(state_));
+  all.push_back(gpu::Binding::storage(used_));
+  statistics_pass_.dispatch(commands, all, {},
+                            {gpu::groups(frame.camera.width, 8), gpu::groups(frame.camera.height, 8), 1},
+                            std::span(&lookup.set, 1));
+}
+
+void Paged::record_allocation(const ReceiverLookup& lookup, const vk::raii::CommandBuffer& commands) {
+  using gpu::Binding;
+  const uint32_t words = words_ * faces_;
+  const vk::Extent3D groups{gpu::groups(words, 64), 1, 1};
+  const std::span sets(&lookup.set, 1);
+  const Binding constants = Binding::uniform(constants_[slot_]), requested = Binding::storage(requested_),
+                parents = Binding::storage(requested_or_finer_), state = Binding::storage(state_),
+                placed = Binding::storage(placed_), valid = Binding::storage(valid_), draw = Binding::storage(draw_),
+                counts = Binding::storage(counts_);
+  if (cached_ && !changes_.boxes().empty()) {
+    invalidate_pass_.dispatch(commands, std::array{Binding::storage(changes_.buffer(slot_)), valid}, {},
+                              {static_cast<uint32_t>(changes_.boxes().size()), top_ + 1, faces_}, sets);
+    gpu::memory_barrier(commands);
+  }
+  levels_pass_.dispatch(commands, std::array{constants, requested, parents, placed, state}, {}, groups);
+  gpu::memory_barrier(commands);
+  plan_pass_.dispatch(commands, std::array{constants, state}, {}, {1, 1, 1});
+  gpu::memory_barrier(commands);
+  counts_pass_.dispatch(commands, std::array{constants, requested, parents, placed, valid, state, draw, counts}, {},
+                        groups);
+  gpu::memory_barrier(commands);
+  scan_.record(commands, counts_, words);
+  gpu::memory_barrier(commands);
+  allocate_pass_.dispatch(commands,
+                          std::array{requested, draw, counts, placed, valid, Binding::storage(draw_or_finer_),
+                                     Binding::storage(table_), state, Binding::storage(clear_quads_)},
+                          {}, groups, sets);
+}
+
+void Paged::record_results(const vk::raii::CommandBuffer& commands) const {
+  commands.copyBuffer(state_.handle(), results_[slot_].handle(), vk::BufferCopy(0, 0, sizeof(shared::PageState)));
+}
+
+Counters Paged::counters() const {
+  const auto& state = results_[slot_].mapped<shared::PageState>()[0];
+  const auto number = [](uint32_t value) { return std::vector<double>{static_cast<double>(value)}; };
+  uint32_t unique = 0;
+  for (const uint32_t count : state.requested) unique += count;
+  const auto resolution = static_cast<double>(spec_.resolution >> state.finest);
+  Counters counters{{"effective_resolution", {resolution, resolution}},
+                    {"raw_requests", number(state.raw_requests)},
+                    {"unique_requests", number(unique)},
+                    {"pages", number(state.pages)},
+                    {"pages_drawn", number(state.pages_drawn)},
+                    {"flushes", number(state.flushes)},
+                    {"dropped_levels", number(state.finest)},
+                    {"triangle_page_pairs", number(state.pairs)},
+                    {"clusters_not_drawn", number(state.late_clusters)}};
+  if (edges_) {
+    counters["iterations"] = number(iterations_);
+    counters["raw_requests"] = number(raw_requests_);
+    counters["pages"] = number(state.slots);
+    counters["pages_drawn"] = number(pages_drawn_);
+    counters.erase("unique_requests");
+  }
+  if (used_) {
+    counters["taps"] = number(state.taps);
+    counters["coarser_taps"] = number(state.coarser_taps);
+    counters["unserved_taps"] = number(state.lost_taps);
+    counters["page_utilization"] = {state.used_texels /
+                                    std::max(1.0, 1.0 * state.slots * shared::page_texels * shared::page_texels)};
+  }
+  return counters;
+}
+
+Picture Paged::debug_picture(std::string_view, const ReceiverLookup& lookup) {
+  using enum gpu::BindingKind;
+  const gpu::ComputePass pass(device_, shaders::page_picture_comp,
+                              {uniform_buffer, sampled_image, sampled_image, storage_buffer}, 0,
+                              std::span(&lookup.layout, 1), faces_ == 6);
+  Picture picture{lookup.width, lookup.height, {}};
+  picture.pixels.resize(size_t{picture.width} * picture.height);
+  const uint64_t bytes = picture.pixels.size() * sizeof(picture.pixels[0]);
+  const gpu::Buffer pixels(device_, "picture of pages", bytes);
+  gpu::submit_and_wait(device_, [&](const vk::raii::CommandBuffer& commands) {
+    auto all = lookup.receivers;
+    all.push_back(gpu::Binding::storage(pixels));
+    pass.dispatch(commands, all, {}, {gpu::groups(picture.width, 8), gpu::groups(picture.height, 8), 1},
+                  std::span(&lookup.set, 1));
+  });
+  const auto data = gpu::read_back(device_, pixels, bytes);
+  std::memcpy(picture.pixels.data(), data.data(), bytes);
+  return picture;
+}
+
+std::vector<Allocation> Paged::allocations() const {
+  std::vector<Allocation> result{state_.allocation()};
+  if (table_)
+    for (const gpu::Buffer* buffer : {&table_, &requested_, &requested_or_finer_, &placed_, &valid_, &draw_,
+                                      &draw_or_finer_, &counts_, &clear_quads_, &scan_.totals()})
+      result.push_back(buffer->allocation());
+  for (const auto* buffers : {&constants_, &results_})
+    for (const auto& buffer : *buffers) result.push_back(buffer.allocation());
+  if (used_) result.push_back(used_.allocation());
+  for (auto& allocation : changes_.allocations()) result.push_back(std::move(allocation));
+  return result;
+}
+
+}  // namespace shadewright::shadow

@@ -1,0 +1,143 @@
+// paged: a quadtree of pages over a virtual map; a pixel asks the level whose texels are of its own size (RMSM, section 3.3).
+// The parameterization module of a look-up (architecture, section 1). MapPoint::layer holds the page that answers: its place in
+// the pool, its level and its face.
+#include "shadow/map_point.glsl"
+#include "shadow/parameterization/paged/pages.h"
+
+#define MAP_LEVELS 1  // map_level and map_point_at exist
+#define MAP_PREPARED_CASTERS 1  // casters come as corners in the pool
+
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 8, scalar) uniform Paged { PagedConstants paged; };
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 9, scalar) readonly buffer State { PageState page_state; };
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 10, scalar) readonly buffer Table { uint page_table[]; };
+
+#include "shadow/parameterization/paged/pages.glsl"
+
+// An entry of the table: slot, level, and the epoch in which it was written; entries of other epochs are void.
+const uint entry_slot_bits = 16, entry_level_bits = 5;
+uint page_entry(uint slot, uint level) {
+  return slot | level << entry_slot_bits | page_state.epoch << (entry_slot_bits + entry_level_bits);
+}
+bool is_current(uint entry) { return entry >> (entry_slot_bits + entry_level_bits) == page_state.epoch; }
+uint entry_slot(uint entry) { return entry & ((1u << entry_slot_bits) - 1u); }
+uint entry_level(uint entry) { return entry >> entry_slot_bits & ((1u << entry_level_bits) - 1u); }
+
+const uint no_page = ~0u;
+
+float level_size(uint level) { return float((page_texels << paged.top) >> level); }
+
+// The entry of the finest page at `level` or above that holds a place of a face; no_page if none does. That it is not the first
+// one read is the exception: pixels asked for what they read.
+uint find_page(uint face, uint level, vec2 uv) {
+  uvec2 page = uvec2(clamp(uv * level_size(level), vec2(0.0), vec2(level_size(level) - 1.0))) / page_texels;
+  for (; level <= paged.top; ++level) {
+    uint entry = page_table[page_index(face, level, page)];
+    if (is_current(entry)) return entry;
+    page >>= 1;
+  }
+  return no_page;
+}
+
+uint point_slot(MapPoint p) { return entry_slot(p.layer); }
+uint point_level(MapPoint p) { return entry_level(p.layer); }
+uint point_face(MapPoint p) { return p.layer >> (entry_slot_bits + entry_level_bits); }
+
+// The face of a point light's cube that looks along `direction`.
+uint paged_face(vec3 world) {
+  if (!six_faces) return 0;
+  vec3 direction = world - lookup.light_position;
+  vec3 a = abs(direction);
+  if (a.x >= a.y && a.x >= a.z) return direction.x >= 0.0 ? 0 : 1;
+  if (a.y >= a.z) return direction.y >= 0.0 ? 2 : 3;
+  return direction.z >= 0.0 ? 4 : 5;
+}
+
+vec2 paged_uv(vec3 world, uint face) {
+  vec4 q = map_views[face].map_from_world * vec4(world, 1.0);
+  return q.xy / q.w;
+}
+
+// Equation 1: l = log2 sqrt |dX x dY|, where dX, dY are the steps of one pixel in the map, in texels of level 0. From the
+// receiver's plane, not from neighbouring pixels, which belong to other surfaces at edges.
+float map_level(vec3 world, vec4 plane) {
+  uint face = paged_face(world);
+  vec3 ray = world - lookup.eye;
+  float depth = dot(paged.view_axis, ray), facing = dot(plane.xyz, ray);
+  facing = abs(facing) < 1e-20 ? 1e-20 : facing;
+  vec3 world_x = depth * (paged.pixel_x - ray * (dot(plane.xyz, paged.pixel_x) / facing));
+  vec3 world_y = depth * (paged.pixel_y - ray * (dot(plane.xyz, paged.pixel_y) / facing));
+  mat4 m = map_views[face].map_from_world;
+  vec4 q = m * vec4(world, 1.0);
+  vec3 x = vec3(m[0].xy, m[0].w) * world_x.x + vec3(m[1].xy, m[1].w) * world_x.y + vec3(m[2].xy, m[2].w) * world_x.z;
+  vec3 y = vec3(m[0].xy, m[0].w) * world_y.x + vec3(m[1].xy, m[1].w) * world_y.y + vec3(m[2].xy, m[2].w) * world_y.z;
+  float scale = level_size(0) / q.w;
+  vec2 dx = (x.xy - q.xy / q.w * x.z) * scale, dy = (y.xy - q.xy / q.w * y.z) * scale;
+  float area = abs(dx.x * dy.y - dx.y * dy.x);
+  float texels = sqrt(area);
+  if (paged.lod == lod_box) texels = max(length(dx), length(dy));
+  if (paged.lod == lod_axis) {
+    // The smaller singular value of (dX dY): s1 s2 = area, s1^2 + s2^2 = |dX|^2 + |dY|^2.
+    float sum = dot(dx, dx) + dot(dy, dy);
+    texels = sqrt(max(0.0, 0.5 * (sum - sqrt(max(0.0, sum * sum - 4.0 * area * area)))));
+  }
+  float level = texels > 0.0 ? log2(texels) : 0.0;
+  return clamp(level, float(max(paged.finest, page_state.finest)), float(paged.top));
+}
+
+// The finest page at `level` or above answers for `world`, through a face that holds it.
+MapPoint map_point_at(vec3 world, vec4 plane, uint level) {
+  uint face = paged_face(world);
+  uint entry = find_page(face, level, paged_uv(world, face));
+  uint found = entry == no_page ? level : entry_level(entry);
+  MapPoint p = map_project(map_views[face], 0, world, plane, vec2(1.0 / level_size(found)));
+  p.layer = entry_slot(entry) | found << entry_slot_bits | face << (entry_slot_bits + entry_level_bits);
+  p.valid = p.valid && entry != no_page;
+  return p;
+}
+
+MapPoint map_point(vec3 world, vec4 plane) { return map_point_at(world, plane, uint(map_level(world, plane))); }
+
+vec3 map_unproject(MapPoint p, vec2 uv, float depth) {
+  return map_unproject_view(map_views[six_faces ? point_face(p) : 0], uv, depth);
+}
+
+// The place `uv` of p's face on the receiver's plane, which is near p: answered by the page that holds it.
+MapPoint map_tap(MapPoint p, vec2 uv) {
+  float depth = p.depth + dot(uv - p.uv, p.gradient);
+  uint level = point_level(p);
+  vec2 inner = uv / p.texel, own = p.uv / p.texel;
+  if (all(equal(floor(inner / float(page_texels)), floor(own / float(page_texels))))) {
+    p.uv = uv;
+    p.depth = depth;
+    return p;
+  }
+  uint face = point_face(p), entry = find_page(face, level, uv);
+  p.uv = uv;
+  p.depth = depth;
+  p.valid = entry != no_page && all(greaterThanEqual(uv, vec2(0.0))) && all(lessThan(uv, vec2(1.0)));
+  if (!p.valid) return p;
+  p.texel = vec2(1.0 / level_size(entry_level(entry)));
+  p.layer = entry_slot(entry) | entry_level(entry) << entry_slot_bits | face << (entry_slot_bits + entry_level_bits);
+  return p;
+}
+
+// The texel at p's own plus `offset`, on whichever page it is; false where no page of p's level has it.
+bool map_fetch(MapPoint p, ivec2 offset, out ivec3 address) {
+  uint level = point_level(p), slot = point_slot(p);
+  ivec2 own = ivec2(floor(p.uv * level_size(level))), texel = own + offset;
+  if (texel / int(page_texels) != own / int(page_texels)) {
+    uvec2 page = uvec2(texel) / page_texels;
+    if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(page, uvec2(1u << (paged.top - level))))) return false;
+    uint entry = page_table[page_index(point_face(p), level, page)];
+    if (!is_current(entry) || entry_level(entry) != level) return false;
+    slot = entry_slot(entry);
+  }
+  uvec2 place = uvec2(slot % paged.pool_width, slot / paged.pool_width);
+  address = ivec3(ivec2(place * page_texels) + (texel & int(page_texels - 1u)), 0);
+  return true;
+}
+
+Ray map_ray(MapPoint p, vec2 uv) {
+  vec3 near = map_unproject(p, uv, 0.0);
+  return Ray(near, normalize(map_unproject(p, uv, 1.0) - near));
+}

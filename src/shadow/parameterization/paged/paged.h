@@ -1,0 +1,97 @@
+// paged: resolution-matched shadow maps (Lefohn, Sengupta, Owens, "Resolution-Matched Shadow Maps", 2007), after
+// adaptive shadow maps (Fernando et al. 2001): a quadtree of pages of 32 x 32 texels over a virtual map of the whole
+// scene.
+//
+// 1. Each pixel marks the pages it will read: one bit a page, at the level whose texels have the pixel's own size.
+// 2. The marks are counted and scanned: a page's slot in the pool is the number of marked pages before it.
+// 3. Clusters that touch a marked page are found, and their triangles cut into (triangle, page) pairs.
+// 4. One draw puts all pairs into their pages' places in the pool, clipped at the page's border.
+// 5. A look-up finds its page by one read of the table; where none is, by the next coarser one.
+// The paper sorts requests (here: bits, no sort), draws 1,024^2 superpages and copies pages out of them (here: one
+// draw).
+#pragma once
+
+#include <functional>
+
+#include "gpu/scan.h"
+#include "shadow/parameterization/paged/caster_changes.h"
+#include "shadow/parameterization/paged/pages.h"
+#include "shadow/parameterization/parameterization.h"
+#include "shadow/parameterization/uniform/fit.h"
+
+namespace shadewright::shadow {
+
+class Paged final : public Parameterization {
+ public:
+  /// InputError where the resolution is no power of two, or the table would not fit.
+  Paged(const gpu::Device& device, const Spec& spec, const TechniqueOptions& options);
+
+  Traits traits() const override {
+    return {.contiguous = false, .gpu_driven = true, .needs_readback = edges_, .without_readback = "refine=none"};
+  }
+  uint32_t max_views() const override { return 6; }
+  MapExtent map_extent(LightKind light) const override;
+  std::unique_ptr<CasterDraws> make_caster_draws(LightKind light, uint32_t frames_in_flight) override;
+  void prepare(const Frame& frame, gpu::Recorder& recorder) override;
+  void refine(const Frame& frame, const ReceiverLookup& lookup, gpu::Recorder& recorder,
+              const std::function<void()>& draw) override;
+  void record(const Frame& frame, const ReceiverLookup& lookup, gpu::Recorder& recorder) override;
+  std::span<const MapView> views() const override { return views_; }
+
+  std::vector<gpu::BindingKind> lookup_kinds() const override;
+  std::vector<gpu::Binding> lookup_bindings(uint32_t slot) const override;
+
+  Counters counters() const override;
+  std::vector<Allocation> allocations() const override;
+  std::vector<std::string> debug_names() const override { return {"pages"}; }
+  /// pages: each pixel in the colour of its level, page borders dark (figure 4).
+  Picture debug_picture(std::string_view name, const ReceiverLookup& lookup) override;
+
+  const gpu::Buffer& state() const { return state_; }
+  /// Bits of the pages to draw, and of those that are or hold one.
+  const gpu::Buffer& pages_to_draw() const { return draw_; }
+  const gpu::Buffer& pages_to_draw_or_finer() const { return draw_or_finer_; }
+  /// Quads over the places of the pages to draw (shared::PageVertex), and their draw in the state.
+  const gpu::Buffer& clear_quads() const { return clear_quads_; }
+  uint32_t pool_texels() const { return pool_texels_; }
+  /// Keeps the frame's state where `counters` reads it.
+  void record_results(const vk::raii::CommandBuffer& commands) const;
+
+ private:
+  void make_tables(LightKind light);
+  /// Finds the virtual map's views, with a share of its size to spare on each side.
+  void fit(const Frame& frame, double margin);
+  /// True if all that receives still falls inside the map.
+  bool fits(const Frame& frame) const;
+  void write_constants(const Frame& frame);
+  void make_passes(vk::DescriptorSetLayout lookup_layout);
+  void empty_requests(const vk::raii::CommandBuffer& commands);
+  /// Asks for all pages of the level that refinement starts from.
+  void record_seed(const vk::raii::CommandBuffer& commands) const;
+  /// Dispatches a pass over the camera's pixels that requests pages.
+  void dispatch_pixels(const gpu::ComputePass& pass, const Frame& frame, const ReceiverLookup& lookup,
+                       const vk::raii::CommandBuffer& commands) const;
+  void record_statistics(const Frame& frame, const ReceiverLookup& lookup, const vk::raii::CommandBuffer& commands);
+  void record_allocation(const ReceiverLookup& lookup, const vk::raii::CommandBuffer& commands);
+
+  const gpu::Device& device_;
+  Spec spec_;
+  uint32_t frames_in_flight_, pool_texels_, top_ = 0, words_ = 0, faces_ = 0;
+  bool cached_, edges_;
+  uint32_t iterations_ = 0, raw_requests_ = 0, pages_drawn_ = 0;  ///< of refine=edges, in the last frame
+  CasterChanges changes_;
+  bool table_is_void_ = true, new_fit_ = true;
+  std::vector<MapView> views_;
+  std::vector<LightFrame> light_frames_;  ///< of the views
+  std::vector<Box> held_;                 ///< what each view holds, see receiver_bounds
+  gpu::ComputePass requests_pass_, edges_pass_, levels_pass_, plan_pass_, counts_pass_, allocate_pass_,
+      statistics_pass_, invalidate_pass_;
+  gpu::Scan scan_;
+  std::vector<gpu::Buffer> constants_, results_;  ///< by slot: host-written, host-read
+  uint32_t slot_ = 0;
+  gpu::Buffer state_, requested_, requested_or_finer_, placed_, valid_, draw_, draw_or_finer_, counts_, table_,
+      clear_quads_;
+  gpu::Buffer used_;  ///< of statistics=on
+};
+
+}  // namespace shadewright::shadow

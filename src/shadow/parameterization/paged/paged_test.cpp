@@ -1,0 +1,137 @@
+// Paged maps against ray tracing, and what their counters promise.
+#include <gtest/gtest.h>
+
+#include "gpu/device_for_test.h"
+#include "shadewright/compare/path_study.h"
+#include "shadewright/error.h"
+#include "shadewright/scene/builtin.h"
+
+namespace shadewright::compare {
+namespace {
+
+class PagedTest : public gpu::DeviceTest {
+ protected:
+  static StudyOptions small() { return {384, 384, 0, 0, true}; }
+  static TechniqueResult run(Study& study, const std::string& spec) {
+    return study.run(shadow::parse_spec(spec)).result;
+  }
+  static double counter(const TechniqueResult& result, const char* name) { return result.counters.at(name).front(); }
+};
+
+/// A texel a pixel: what is wrong lies along the edges, and the texel that is asked holds what the oracle says.
+TEST_F(PagedTest, ShadowsAreRightUpToAPixel) {
+  for (const char* name : {"spheres", "city"}) {
+    SCOPED_TRACE(name);
+    const Scene scene = make_builtin(name);
+    Study study(device(), scene, scene.cameras.front(), scene.lights.front(), small());
+    const TechniqueResult hard = run(study, "paged/depth/hard,statistics=on");
+    EXPECT_LE(*hard.error.oracle_fraction, 5e-4);
+    EXPECT_LE(static_cast<double>(hard.error.wrong), 0.2 * static_cast<double>(hard.error.edge_pixels));
+    const TechniqueResult trilinear = run(study, "rmsm,statistics=on");
+    EXPECT_LE(static_cast<double>(trilinear.error.wrong), 0.2 * static_cast<double>(trilinear.error.edge_pixels));
+    for (const TechniqueResult* result : {&hard, &trilinear}) {
+      EXPECT_GT(counter(*result, "taps"), 0);
+      EXPECT_EQ(counter(*result, "coarser_taps"), 0);
+      EXPECT_EQ(counter(*result, "unserved_taps"), 0);
+      EXPECT_EQ(counter(*result, "clusters_not_drawn"), 0);
+      EXPECT_EQ(counter(*result, "pages"), counter(*result, "unique_requests"));
+    }
+  }
+}
+
+/// A pool that can't hold what is asked for makes everything coarser, and nothing wrong.
+TEST_F(PagedTest, AFullPoolDropsTheFinestLevels) {
+  const Scene scene = make_builtin("furball");
+  Study study(device(), scene, scene.cameras.front(), scene.lights.front(), small());
+  const TechniqueResult full = run(study, "paged/depth/hard,pool=1024,statistics=on");
+  EXPECT_GT(counter(full, "dropped_levels"), 0);
+  EXPECT_LE(counter(full, "pages"), 1024);
+  EXPECT_EQ(counter(full, "coarser_taps"), 0);
+  EXPECT_EQ(counter(full, "unserved_taps"), 0);
+  EXPECT_LE(*full.error.oracle_fraction, 5e-4);
+}
+
+TEST_F(PagedTest, ServesSpotAndPointLights) {
+  const Scene scene = make_builtin("sandbox");
+  Light lamp;
+  lamp.position = scene.cameras.front().target + glm::dvec3(0.3, 1.1, 0.2);
+  for (const LightKind kind : {LightKind::spot, LightKind::point}) {
+    lamp.kind = kind;
+    Study study(device(), scene, scene.cameras.front(), lamp, small());
+    for (const char* spec : {"paged/depth/hard@8192,statistics=on", "rmsm@8192,statistics=on"}) {
+      const TechniqueResult result = run(study, spec);
+      SCOPED_TRACE(spec);
+      EXPECT_LE(result.error.oracle_fraction.value_or(0), 5e-4);
+      EXPECT_GE(result.error.match, 0.98);
+      EXPECT_EQ(counter(result, "coarser_taps"), 0);
+      EXPECT_EQ(counter(result, "unserved_taps"), 0);
+    }
+  }
+}
+
+TEST_F(PagedTest, EveryResolutionWorks) {
+  const Scene scene = make_builtin("spheres");
+  Study study(device(), scene, scene.cameras.front(), scene.lights.front(), small());
+  // At 384 x 384 a texel of 1,024 is about a pixel: finer maps change nothing but where texels' borders fall.
+  for (const char* spec : {"paged@1024", "paged@4096", "paged@131072"}) {
+    const TechniqueResult result = run(study, spec);
+    EXPECT_LE(*result.error.oracle_fraction, 5e-4) << spec;
+    EXPECT_LE(static_cast<double>(result.error.wrong), 0.12 * static_cast<double>(result.error.edge_pixels)) << spec;
+  }
+  EXPECT_THROW(run(study, "paged@5000"), InputError);
+}
+
+/// Kept pages hold what freshly drawn ones would, and nothing is drawn twice.
+TEST_F(PagedTest, ACachedFrameThatSeesNothingNewDrawsNothing) {
+  const Scene scene = make_builtin("city");
+  StudyOptions options = small();
+  options.repeat = 2;
+  Study study(device(), scene, scene.cameras.front(), scene.lights.front(), options);
+  const Outcome fresh = study.run(shadow::parse_spec("rmsm")), kept = study.run(shadow::parse_spec("rmsm,cache=on"));
+  EXPECT_GT(counter(fresh.result, "pages_drawn"), 0);
+  EXPECT_EQ(counter(kept.result, "pages_drawn"), 0);
+  EXPECT_EQ(counter(kept.result, "flushes"), 1);
+  EXPECT_EQ(kept.visibility, fresh.visibility);
+}
+
+/// Over a path with casters that move, and with a light that moves, kept pages show what freshly drawn ones do, and no
+/// request is left unserved in any frame.
+TEST_F(PagedTest, KeptPagesFollowWhatMoves) {
+  for (const bool light_moves : {false, true}) {
+    const Scene scene = make_builtin(light_moves ? "sandbox" : "characters");
+    std::vector<Moment> moments;
+    for (int i = 0; i < 3; ++i) {
+      Moment moment{0.3 * i, scene.cameras.front(), scene.lights.front()};
+      if (light_moves) moment.light = sun(52 + 4 * i, 31 + i);
+      moments.push_back(moment);
+    }
+    PathStudy study(device(), scene, "moving", moments, {256, 256, 0, 0, true});
+    const std::vector<shadow::Spec> specs{shadow::parse_spec("paged/depth/hard@16384,statistics=on"),
+                                          shadow::parse_spec("paged/depth/hard@16384,cache=on,statistics=on")};
+    study.run(specs, {}, [&](uint32_t frame, std::span<const Outcome> outcomes) {
+      SCOPED_TRACE(frame);
+      for (const Outcome& outcome : outcomes) {
+        EXPECT_EQ(counter(outcome.result, "coarser_taps"), 0);
+        EXPECT_EQ(counter(outcome.result, "unserved_taps"), 0);
+        EXPECT_EQ(counter(outcome.result, "clusters_not_drawn"), 0);
+        EXPECT_LE(*outcome.result.error.oracle_fraction, 5e-4);
+      }
+      if (frame == 0 || light_moves) return;
+      EXPECT_LT(counter(outcomes[1].result, "pages_drawn"), counter(outcomes[0].result, "pages_drawn"));
+    });
+  }
+}
+
+/// Refinement along edges asks for fewer pages, in several rounds.
+TEST_F(PagedTest, RefinesEdges) {
+  const Scene scene = make_builtin("city");
+  Study study(device(), scene, scene.cameras.front(), scene.lights.front(), small());
+  const TechniqueResult all = run(study, "rmsm@16384"), edges = run(study, "asm@16384");
+  EXPECT_GT(counter(edges, "iterations"), 2);
+  EXPECT_LT(counter(edges, "iterations"), 20);
+  EXPECT_LT(counter(edges, "pages"), counter(all, "pages") + 1024);
+  EXPECT_GE(edges.error.match, 0.97);
+}
+
+}  // namespace
+}  // namespace shadewright::compare

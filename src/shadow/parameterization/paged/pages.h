@@ -1,0 +1,96 @@
+// Structs of paged maps that C++ and GLSL share.
+#ifndef SHADEWRIGHT_PAGED_PAGES_H
+#define SHADEWRIGHT_PAGED_PAGES_H
+
+#include "render/shared.h"
+
+#ifdef __cplusplus
+namespace shadewright::shared {
+using glm::uvec3;
+#endif
+
+const uint page_texels = 32, max_page_levels = 13;
+
+const uint lod_area = 0, lod_box = 1, lod_axis = 2;
+
+/// What stays the same during a frame. Level 0 is the finest; level `top` has one page.
+struct PagedConstants {
+  vec3 pixel_x, pixel_y;  // world step of a pixel at view depth 1
+  vec3 view_axis;         // view depth = dot(view_axis, world - eye)
+  uint top;
+  uint finest;      // levels below are not asked for
+  uint faces;       // 1, or 6 of a point light
+  uint words;       // of 32 pages, of one face
+  uint pool_width;  // pages
+  uint pool_pages;
+  uint flush;  // 1: nothing kept from earlier frames counts
+  uint lod;
+  float footprint;        // half width of what a filter asks, texels
+  uint footprint_levels;  // 1, or 2: the next coarser level too
+  float near[6];          // the least w of a caster, by face
+};
+
+/// What a frame finds out on the device, and what it keeps for the next.
+struct PageState {
+  uint finest;        // of the pages drawn: coarser than asked for when the pool is full
+  uint pages;         // needed
+  uint pages_drawn;   // of those, in this frame
+  uint flushed;       // 1: nothing of earlier frames was kept
+  uint first_slot;    // of the pages new in this frame
+  uint raw_requests;  // pixels that asked
+  uint visible_clusters;
+  uvec3 bin_groups;   // VkDispatchIndirectCommand
+  uint vertex_count;  // VkDrawIndirectCommand
+  uint instance_count;
+  uint first_vertex;
+  uint first_instance;
+  uint wanted_vertices;                // more than vertex_count when the triangles did not fit
+  uint late_clusters;                  // whose triangles did not: the next round draws them
+  uint pairs;                          // drawn in all rounds
+  uint taps, coarser_taps, lost_taps;  // of statistics=on: asked, answered by a coarser page, by none
+  uint used_texels;
+  uint clear_vertex_count;  // VkDrawIndirectCommand
+  uint clear_instance_count;
+  uint clear_first_vertex;
+  uint clear_first_instance;
+  uint requested[max_page_levels];           // pages asked for, by level
+  uint requested_or_finer[max_page_levels];  // pages that were asked for or hold one that was
+  uint fresh[max_page_levels];               // of each, those without a slot
+  uint fresh_or_finer[max_page_levels];
+  // Kept from frame to frame.
+  uint epoch;  // of the table's entries that count
+  uint slots;  // taken
+  uint flushes;
+};
+
+/// A cluster of one instance that touches pages to draw.
+struct PageCluster {
+  uint cluster;
+  uint instance;
+  uint face;
+  uint levels;  // bit l: may touch pages of level l
+};
+
+/// A triangle's corner as a page draws it.
+struct PageVertex {
+  vec3 position;  // clip space of the pool
+  uint slot;      // of the page in the pool
+};
+
+/// World bounds in which casters have changed.
+struct ChangedBox {
+  vec3 low, high;
+};
+
+struct BinConstants {
+  uint cluster_count;
+  uint cluster_capacity;
+  uint vertex_capacity;
+  uint round;
+  uint kinds;  // render::InstanceFilter
+};
+
+#ifdef __cplusplus
+}  // namespace shadewright::shared
+#endif
+#endif
