@@ -17,6 +17,12 @@ function(shadewright_combination parameterization storage filter)
   _shadewright_generate("${room}/lookup.comp.in" lookup_${parameterization}_${storage}_${filter} shadewright_lookup_entries
                         ${parameterization}/${storage}/${filter})
   _shadewright_generate("${room}/oracle.comp.in" oracle_${parameterization} shadewright_oracle_entries ${parameterization})
+  # Where straight edges bend, casters may be drawn by stages of the parameterization's and a fragment stage of the storage's.
+  set(stage frag)
+  set(bent "${room}/storage/${storage}/bent.frag.in")
+  if(EXISTS "${bent}" AND EXISTS "${room}/parameterization/${parameterization}/bent_fragment.glsl")
+    _shadewright_generate("${bent}" bent_${parameterization}_${storage} shadewright_caster_entries ${parameterization}/${storage}.bent)
+  endif()
   foreach(stage vert tesc tese geom frag)
     set(casters "${room}/storage/${storage}/casters.${stage}.in")
     if(EXISTS "${casters}")

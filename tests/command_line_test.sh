@@ -28,7 +28,6 @@ works() { "$shadewright" "$@" >stdout 2>stderr || { fail "$*: exit $?: $(cat std
 small=(--size 160x90 --repeat 1 --quiet)
 
 refuses 2 'no technique' render builtin:spheres -t smm -o x.png "${small[@]}"
-refuses 2 'not built yet' render builtin:spheres -t rtw -o x.png "${small[@]}"
 refuses 2 'no such file' render missing.glb -t sm -o x.png "${small[@]}"
 refuses 2 'builtin' render builtin:nowhere -t sm -o x.png "${small[@]}"
 refuses 2 'size' render builtin:spheres -t sm -o x.png --size 12 --quiet
@@ -56,7 +55,7 @@ refuses 2 'only one frame' compare builtin:spheres -t sm -o out --every-frame "$
 refuses 2 'several images' render builtin:street -t sm -o - --path main --frames 2 "${small[@]}"
 refuses 2 'report.json' compare builtin:spheres -t sm -o out --against missing.json "${small[@]}"
 refuses 2 'downwards' compare builtin:spheres -t sm@1024..512 -o out "${small[@]}"
-refuses 2 'not built yet' bench rtw -o out
+refuses 2 'leave tessellation out' render builtin:spheres -t rectilinear/moments/hard,tessellation=off -o x.png "${small[@]}"
 refuses 2 'not built yet' view
 refuses 2 'help' render
 refuses 2 'help' nonsense

@@ -49,5 +49,6 @@ std::vector<BenchTable> bench_cpvs(Bench& bench);
 std::vector<BenchTable> bench_psm(Bench& bench);
 std::vector<BenchTable> bench_rmsm(Bench& bench);
 std::vector<BenchTable> bench_spsm(Bench& bench);
+std::vector<BenchTable> bench_rtw(Bench& bench);
 
 }  // namespace shadewright::app

@@ -69,6 +69,7 @@ void visit_features(DeviceFeatures& f, Visitor visit) {
   visit("depthClamp", f.core.features.depthClamp);
   visit("shaderClipDistance", f.core.features.shaderClipDistance);
   visit("geometryShader", f.core.features.geometryShader);  // gl_PrimitiveID in fragment shaders
+  visit("tessellationShader", f.core.features.tessellationShader);
   visit("shaderStorageImageExtendedFormats", f.core.features.shaderStorageImageExtendedFormats);
   visit("shaderDrawParameters", f.vulkan11.shaderDrawParameters);
   visit("scalarBlockLayout", f.vulkan12.scalarBlockLayout);

@@ -127,15 +127,19 @@ SceneGpu::SceneGpu(const gpu::Device& device, const Scene& scene, double time, u
       const uint32_t begin = parts.first[c];
       const auto end = c + 1 < parts.first.size() ? parts.first[c + 1] : static_cast<uint32_t>(parts.triangles.size());
       Box box;
+      float longest_edge = 0;
       const auto first_index = static_cast<uint32_t>(3 * triangles.size());
       for (uint32_t t = begin; t < end; ++t) {
         const glm::uvec3 triangle = parts.triangles[t];
         for (int k = 0; k < 3; ++k) box.extend(glm::dvec3(mesh.positions[triangle[k]]));
+        for (int k = 0; k < 3; ++k)
+          longest_edge =
+              std::max(longest_edge, glm::distance(mesh.positions[triangle[k]], mesh.positions[triangle[(k + 1) % 3]]));
         triangles.push_back(triangle + base);
         normals.push_back(packed_normal(mesh, triangle));
       }
       clusters.push_back({glm::vec3(box.center()), glm::vec3(0.5 * box.size()), first_index, 3 * (end - begin), shown.x,
-                          shown.y, list_capacity_, c < parts.closed ? shared::body_closed : 0});
+                          shown.y, list_capacity_, c < parts.closed ? shared::body_closed : 0, longest_edge});
       list_capacity_ += shown.y;
       cluster_mesh_centers_.emplace_back(box.center());
       cluster_centers_.push_back(instances[shown.x].world_from_mesh * glm::vec4(cluster_mesh_centers_.back(), 1.0f));

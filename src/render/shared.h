@@ -43,8 +43,9 @@ struct ClusterData {
   uint index_count;
   uint first_instance;  // instances of one mesh lie side by side
   uint instance_count;
-  uint list_base;  // where this cluster's visible instances are listed
-  uint body;       // body_closed or 0
+  uint list_base;      // where this cluster's visible instances are listed
+  uint body;           // body_closed or 0
+  float longest_edge;  // of its triangles, mesh space
 };
 
 const uint max_cull_planes = 10;

@@ -38,6 +38,7 @@ class CasterDraws {
   virtual void draw(const vk::raii::CommandBuffer& commands, const Frame& frame, uint32_t index,
                     vk::DescriptorSet lookup_set) const = 0;
   virtual std::vector<Allocation> allocations() const = 0;
+  virtual Counters counters() const { return {}; }
 
   /// True if a target keeps what it held in the last frame, but for what `draw` empties and draws anew.
   virtual bool keeps() const { return false; }

@@ -36,4 +36,8 @@ gpu::GraphicsDesc casters_shaders(const Spec& spec) {
   return desc;
 }
 
+std::span<const uint32_t> bent_fragment_shader(const Spec& spec) {
+  return find(shaders::casters, fmt::format("{}/{}.bent", spec.parameterization, spec.storage));
+}
+
 }  // namespace shadewright::shadow

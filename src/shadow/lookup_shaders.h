@@ -16,5 +16,7 @@ std::span<const uint32_t> lookup_shader(std::string_view combination);
 std::span<const uint32_t> oracle_shader(std::string_view parameterization);
 /// The stages that draw casters for the spec's parameterization and storage: those of `storage/NAME/casters.STAGE.in`.
 gpu::GraphicsDesc casters_shaders(const Spec& spec);
+/// The fragment stage of casters whose edges bend in the map; empty where the parameterization bends none.
+std::span<const uint32_t> bent_fragment_shader(const Spec& spec);
 
 }  // namespace shadewright::shadow

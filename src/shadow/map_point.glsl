@@ -20,10 +20,14 @@ struct MapPoint {
   vec2 uv;          // over the layer, v down
   float depth;      // of the receiver at uv, growing away from the light
   uint layer;
-  vec2 gradient;    // d depth / d uv of the receiver's plane
+  vec2 gradient;    // d depth / d uv of the receiver's plane (of a warped map, no less than it is within a texel)
   vec2 texel;       // a texel's size here, in uv
   float tolerance;  // float error of depth
   bool valid;       // false: nothing is stored for this point, it is lit
+  // Where lines are straight and depth is linear: uv itself, unless the map is warped. A module that defines MAP_WARPED tells
+  // it of any place of p's layer by map_flat(p, uv), the other way by map_unflat(p, flat_uv).
+  vec2 flat_uv;
+  vec2 flat_gradient;  // d depth / d flat_uv
 };
 
 // A line of the light, world space.
@@ -61,7 +65,7 @@ MapPoint map_project(MapViewData view, uint layer, vec3 world, vec4 plane, vec2 
                     ulp * (4.0 + 4.0 * (slope.x + slope.y)) + dot(slope, texel) / 256.0;
 
   bool inside = q.w > 0.0 && all(greaterThanEqual(map.xy, vec2(0.0))) && all(lessThan(map.xy, vec2(1.0)));
-  return MapPoint(map.xy, map.z, layer, gradient, texel, tolerance, inside && view.drawn != 0);
+  return MapPoint(map.xy, map.z, layer, gradient, texel, tolerance, inside && view.drawn != 0, map.xy, gradient);
 }
 
 // The world point at a place of one view.

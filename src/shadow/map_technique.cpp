@@ -206,7 +206,10 @@ std::optional<OracleRays> MapTechnique::oracle_rays(const Frame& frame) {
 
 Counters MapTechnique::counters() const {
   Counters counters = parameterization_->counters();
-  if (storage_) counters.merge(storage_->counters());
+  if (storage_) {
+    counters.merge(draws_->counters());
+    counters.merge(storage_->counters());
+  }
   return counters;
 }
 

@@ -53,11 +53,14 @@ void ViewCasterDraws::draw(const vk::raii::CommandBuffer& commands, const Frame&
       0, vk::Viewport(static_cast<float>(area.offset.x), static_cast<float>(area.offset.y),
                       static_cast<float>(area.extent.width), static_cast<float>(area.extent.height), 0, 1));
   commands.setScissor(0, area);
-  if (frame.scene) {
-    pass_.bind(commands, {}, gpu::bytes_of(index), std::span(&lookup_set, 1));
-    draws_->draw(commands, index);
-  }
+  if (frame.scene) draw_scene(commands, index, lookup_set);
   if (frame.draw_casters) frame.draw_casters({commands, index, view, lookup_set});
+}
+
+void ViewCasterDraws::draw_scene(const vk::raii::CommandBuffer& commands, uint32_t index,
+                                 vk::DescriptorSet lookup_set) const {
+  pass_.bind(commands, {}, gpu::bytes_of(index), std::span(&lookup_set, 1));
+  draws_->draw(commands, index);
 }
 
 std::vector<Allocation> ViewCasterDraws::allocations() const {

@@ -23,14 +23,16 @@ class ViewCasterDraws : public CasterDraws {
  protected:
   /// The pipeline's description, for a parameterization that makes further ones like it.
   static gpu::GraphicsDesc describe(const CasterPipelineDesc& desc);
+  /// Draws the scene's casters into target `index`.
+  virtual void draw_scene(const vk::raii::CommandBuffer& commands, uint32_t index, vk::DescriptorSet lookup_set) const;
 
   std::optional<render::CulledDraws> draws_;
   const render::SceneGpu* scene_ = nullptr;  ///< whose draws these are
+  gpu::GraphicsPass pass_;
 
  private:
   uint32_t max_views_, frames_in_flight_;
   std::span<const MapView> views_;
-  gpu::GraphicsPass pass_;
 };
 
 }  // namespace shadewright::shadow

@@ -116,6 +116,12 @@ class CulledDraws {
   /// Draws what survived in `view`; the graphics pass with its bindings is bound by the caller.
   void draw(const vk::raii::CommandBuffer& commands, uint32_t view) const;
 
+  /// What culling leaves, for passes that work on it: shared::DrawCommand by cluster in drawing order, view after view,
+  /// the shared::VisibleInstance that they show, and the cluster of each draw.
+  const gpu::Buffer& commands() const { return draws_; }
+  const gpu::Buffer& visible() const { return visible_; }
+  const gpu::Buffer& order(uint32_t slot) const { return order_[slot]; }
+
   /// Gives a graphics pass that draws these the vertex inputs of render/scene_vertex.glsl, as many as its shader reads.
   static void set_vertex_input(gpu::GraphicsDesc& desc, SceneInputs inputs);
   std::vector<Allocation> allocations() const;

@@ -7,6 +7,7 @@
 #include "shadow/parameterization/cascaded/cascaded.h"
 #include "shadow/parameterization/paged/paged.h"
 #include "shadow/parameterization/perspective/perspective.h"
+#include "shadow/parameterization/rectilinear/rectilinear.h"
 #include "shadow/parameterization/uniform/uniform.h"
 #include "shadow/view_caster_draws.h"
 
@@ -26,6 +27,7 @@ std::unique_ptr<Parameterization> make_parameterization(const gpu::Device& devic
     return std::make_unique<Perspective>(device, spec.resolution, perspective, options.width, options.height);
   }
   if (spec.parameterization == "paged") return std::make_unique<Paged>(device, spec, options);
+  if (spec.parameterization == "rectilinear") return std::make_unique<Rectilinear>(device, spec, options);
   throw std::logic_error(fmt::format("parameterization '{}' has shaders but no class", spec.parameterization));
 }
 

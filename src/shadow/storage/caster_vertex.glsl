@@ -21,6 +21,9 @@ vec4 caster_position(uint view) {
   return vec4(corner_position, 1.0);
 }
 
+#elif defined(MAP_CUT)
+#include "shadow/parameterization/rectilinear/cut_vertex.glsl"
+
 #else
 #include "render/scene_vertex.glsl"
 

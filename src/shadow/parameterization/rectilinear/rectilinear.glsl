@@ -1,0 +1,86 @@
+// rectilinear: one view whose image plane is warped along u and along v (Rosen 2012). The parameterization module of a look-up.
+#include "shadow/map_point.glsl"
+#include "shadow/parameterization/rectilinear/straight.glsl"
+#include "shadow/parameterization/rectilinear/shared.h"
+
+#define MAP_CONTIGUOUS 1
+#define MAP_WARPED 1  // straight edges bend: see map_flat
+#define MAP_CUT 1     // where the warp bends, casters are cut: see cut_vertex.glsl
+
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 8, scalar) readonly buffer Warp { WarpData warp; WarpSegment warp_segments[]; };
+// Flat coordinates of texels along u, then v: lower edge, centre, lower edge of the next, ...
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 9, scalar) readonly buffer Flats { float warp_flats[]; };
+
+// The segment that holds a flat coordinate; the end ones go on beyond [0, 1], so that casters there stay where they belong and
+// are clipped.
+uint warp_segment(uint axis, float x) {
+  uint cell = uint(clamp(floor(x * float(warp.cells)), 0.0, float(warp.cells - 1)));
+  return warp.first_segments[axis * max_cells + cell];
+}
+
+float warp_axis(uint axis, float x, out WarpSegment s) {
+  s = warp_segments[axis * warp.cells + warp_segment(axis, x)];
+  return s.start + s.slope * (x - s.flat_start);
+}
+
+vec2 warp_point(vec2 at_flat) {
+  WarpSegment s;
+  return vec2(warp_axis(0, at_flat.x, s), warp_axis(1, at_flat.y, s));
+}
+
+vec2 flat_of_texel_center(ivec2 texel) {
+  return vec2(warp_flats[2 * texel.x + 1], warp_flats[2 * (warp.resolution + texel.y) + 2]);
+}
+
+vec2 flat_from_map(vec2 map) {
+  return vec2(dot(warp.flat_from_map[0], vec3(map, 1.0)), dot(warp.flat_from_map[1], vec3(map, 1.0)));
+}
+
+MapPoint map_point(vec3 world, vec4 plane) {
+  MapPoint p = map_project(map_views[0], 0, world, plane, vec2(0.0));
+  vec2 at_flat = flat_from_map(p.uv);
+  WarpSegment u, v;
+  vec2 warped = vec2(warp_axis(0, at_flat.x, u), warp_axis(1, at_flat.y, v));
+  mat2 map_from_flat = mat2(warp.map_from_flat[0].x, warp.map_from_flat[1].x, warp.map_from_flat[0].y, warp.map_from_flat[1].y);
+  p.valid = p.valid && all(greaterThanEqual(at_flat, vec2(0.0))) && all(lessThan(at_flat, vec2(1.0)));
+  p.flat_uv = at_flat;
+  p.flat_gradient = p.gradient * map_from_flat;
+  p.uv = warped;
+  p.texel = 1.0 / lookup.map_size;
+  // The slope with which the plane may rise over half a texel: that of the largest texel around, in flat coordinates.
+  vec2 half_texels = warp.cut != 0 ? 0.5 * p.texel / vec2(u.slope, v.slope) : vec2(u.half_texel, v.half_texel);
+  p.gradient = p.flat_gradient * 2.0 * half_texels * lookup.map_size;
+  // The rasterizer's snapping, and where casters are not cut what edges may bend and be drawn as straight.
+  p.tolerance += dot(abs(p.gradient), p.texel) * (warp.cut != 0 ? snapping_texels : snapping_texels + straight_texels);
+  return p;
+}
+
+// Homogeneous flat coordinates of a caster: (x w, y w, z, w).
+vec4 map_caster_flat(vec3 world, uint view) {
+  vec4 q = map_views[view].map_from_world * vec4(world, 1.0);
+  vec3 h = vec3(q.xy, q.w);
+  return vec4(dot(warp.flat_from_map[0], h), dot(warp.flat_from_map[1], h), q.z, q.w);
+}
+
+// The clip position of a point whose homogeneous flat coordinates are `p`, in front of the light.
+vec4 map_caster_clip(vec4 p) { return vec4((2.0 * warp_point(p.xy / p.w) - 1.0) * p.w, p.zw); }
+
+vec4 map_caster(vec3 world, uint view) { return map_caster_clip(map_caster_flat(world, view)); }
+
+// Flat coordinate of a place of an axis of the map, between the half texels that the table holds.
+float unwarp_axis(uint axis, float x) {
+  float t = clamp(2.0 * x * float(warp.resolution), 0.0, float(2 * warp.resolution)), k = min(floor(t), float(2 * warp.resolution - 1));
+  uint base = axis * (2 * warp.resolution + 1) + uint(k);
+  return mix(warp_flats[base], warp_flats[base + 1], t - k);
+}
+
+vec2 map_unflat(MapPoint p, vec2 flat_uv) { return warp_point(flat_uv); }
+
+vec2 map_flat(MapPoint p, vec2 uv) { return vec2(unwarp_axis(0, uv.x), unwarp_axis(1, uv.y)); }
+
+vec3 map_unproject(MapPoint p, vec2 uv, float depth) {
+  vec3 at_flat = vec3(map_flat(p, uv), 1.0);
+  return map_unproject_view(map_views[0], vec2(dot(warp.map_from_flat[0], at_flat), dot(warp.map_from_flat[1], at_flat)), depth);
+}
+
+#include "shadow/parameterization/texels.glsl"
