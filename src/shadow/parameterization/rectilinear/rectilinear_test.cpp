@@ -144,13 +144,24 @@ TEST_F(RectilinearTest, BendsLongEdges) {
   EXPECT_LT(wrong(study, "rtw@512,tessellation=1"), 0.9 * off);
 }
 
-TEST_F(RectilinearTest, FramesOfSkyAloneWork) {
-  Scene scene = avenue(20);
+TEST_F(RectilinearTest, FramesWithoutLightWork) {
+  const Scene scene = avenue(20);
   Camera sky = scene.cameras.front();
   sky.target = sky.eye + glm::dvec3(0, 1, -0.01);
-  compare::Study nothing(device(), scene, sky, scene.lights.front(), small());
-  for (const char* spec : {"rtw@512", "rtw@512,analysis=forward", "rtw@512,analysis=hybrid,map=2d"})
-    EXPECT_EQ(run(nothing, spec).result.error.wrong, 0u) << spec;
+  // All of the floor under a roof; and lit from below, where all that is seen looks away from the light.
+  Scene roofed = scene;
+  add_box(roofed, {0, 40, 0}, {200, 0.5f, 200});
+  for (const char* spec : {"rtw@512", "rtw@512,analysis=forward", "rtw@512,analysis=hybrid,map=2d"}) {
+    SCOPED_TRACE(spec);
+    compare::Study nothing(device(), scene, sky, scene.lights.front(), small());
+    EXPECT_EQ(run(nothing, spec).result.error.wrong, 0u);
+    compare::Study dark(device(), roofed, scene.cameras.front(), scene.lights.front(), small());
+    const compare::ErrorFigures error = run(dark, spec).result.error;
+    EXPECT_GT(error.compared, 50'000u);
+    EXPECT_LE(static_cast<double>(error.wrong), 1e-4 * static_cast<double>(error.compared));
+    compare::Study below(device(), scene, scene.cameras.front(), sun(25, -60), small());
+    EXPECT_EQ(run(below, spec).result.error.interior_false_shadow, 0u);
+  }
 }
 
 TEST_F(RectilinearTest, FallsBackToUniform) {

@@ -23,7 +23,9 @@ const uint threads = gl_WorkGroupSize.x;
 // An axis is warped if that is expected to leave at most this much of its error. Expectations know nothing of where shadows end:
 // a smaller gain may turn out as a loss.
 const float worth_it = 0.85;
-const float interior_floor = 1e-4;  // of the mean: no super-cell vanishes between useful ones
+// Of the mean: no super-cell vanishes between useful ones. Forward analysis does not see receivers in shadow, so that a super-cell
+// without importance may hold the most of them.
+const float interior_floor = 1e-4, unseen_floor = 0.05;
 
 shared float raw[max_cells], values[max_cells], totals[threads];
 
@@ -182,7 +184,7 @@ void main() {
     sum += value;
   }
   sum = sum_of_all(sum);
-  float least = sum > 0.0 ? interior_floor * sum / float(n) : 1.0;
+  float least = sum > 0.0 ? (constants.forward != 0 ? unseen_floor : interior_floor) * sum / float(n) : 1.0;
 
   // What the warp is expected to cost, and what none would: where it does not help, there is none.
   float all = 0.0, samples = 0.0, error = 0.0;
