@@ -12,6 +12,8 @@ layout(binding = 2, scalar) readonly buffer Sets { BoundedSet sets[]; };
 layout(binding = 3, scalar) buffer Bounds { OrderedBounds bounds[]; };
 layout(push_constant, scalar) uniform Push { uint set_count; };
 
+const int pixels = 4;  // of an invocation, per axis
+
 shared uint low[3 * max_bounded_sets], high[3 * max_bounded_sets];
 
 // Unsigned integers in the order of the floats.
@@ -27,25 +29,31 @@ void main() {
     high[local] = 0u;
   }
   barrier();
-  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-  bool seen = all(lessThan(pixel, ivec2(camera.size)));
-  float depth = seen ? texelFetch(camera_depth, pixel, 0).r : camera.background_depth;
-  if (depth != camera.background_depth) {
-    float view_depth = camera_view_depth(camera, depth);
-    vec4 world = vec4(camera_surface(camera, pixel, depth), 1.0);
-    for (uint i = 0; i < set_count; ++i) {
-      if (view_depth < sets[i].nearest || view_depth > sets[i].farthest) continue;
-      vec3 p = sets[i].view_from_world * world;
+  ivec2 first = ivec2(gl_WorkGroupID.xy) * pixels * 8 + ivec2(gl_LocalInvocationID.xy);
+  vec4 points[pixels * pixels];  // world, view depth; negative where nothing is seen
+  for (int k = 0; k < pixels * pixels; ++k) {
+    ivec2 pixel = first + 8 * ivec2(k % pixels, k / pixels);
+    float depth = all(lessThan(pixel, ivec2(camera.size))) ? texelFetch(camera_depth, pixel, 0).r : camera.background_depth;
+    bool seen = depth != camera.background_depth;
+    points[k] = seen ? vec4(camera_surface(camera, pixel, depth), camera_view_depth(camera, depth)) : vec4(-1.0);
+  }
+  for (uint i = 0; i < set_count; ++i) {
+    vec3 least = vec3(1.0 / 0.0), greatest = -least;
+    for (int k = 0; k < pixels * pixels; ++k) {
+      float view_depth = points[k].w;
+      if (view_depth < max(sets[i].nearest, 0.0) || view_depth > sets[i].farthest) continue;
+      vec3 p = sets[i].view_from_world * vec4(points[k].xyz, 1.0);
       if (sets[i].max_tangent > 0.0) {
         if (p.z >= 0.0 || any(greaterThan(abs(p.xy), vec2(-p.z * sets[i].max_tangent)))) continue;
         p.xy /= -p.z;
       }
-      // Few points move a bound: reading first spares the rest an atomic.
-      for (uint axis = 0; axis < 3; ++axis) {
-        uint value = ordered(p[axis]), slot = 3 * i + axis;
-        if (value < low[slot]) atomicMin(low[slot], value);
-        if (value > high[slot]) atomicMax(high[slot], value);
-      }
+      least = min(least, p);
+      greatest = max(greatest, p);
+    }
+    if (least.x > greatest.x) continue;
+    for (uint axis = 0; axis < 3; ++axis) {
+      atomicMin(low[3 * i + axis], ordered(least[axis]));
+      atomicMax(high[3 * i + axis], ordered(greatest[axis]));
     }
   }
   barrier();
