@@ -10,6 +10,12 @@ const gpu::Device& Bench::device() {
   return *device_;
 }
 
+std::string Bench::shown(const std::string& spec) const {
+  const std::string folder = (options_.folder / "").string();
+  const size_t at = spec.find(folder);
+  return at == std::string::npos ? spec : spec.substr(0, at) + spec.substr(at + folder.size());
+}
+
 compare::Study Bench::study(const Scene& scene, const Camera& camera, const Light& light) {
   progress(scene.name + ", " + camera.name, 0);
   return compare::Study(device(), scene, camera, light, {options_.width, options_.height, options_.repeat, 16, true});
@@ -26,9 +32,9 @@ std::vector<compare::Outcome> Bench::run(compare::Study& study, const std::vecto
   picture(std::vector<float>(study.reference().begin(), study.reference().end()), "reference");
   std::vector<compare::Outcome> outcomes;
   for (const std::string& spec : specs) {
-    progress(stem + ", " + spec, static_cast<double>(outcomes.size()) / static_cast<double>(specs.size()));
+    progress(stem + ", " + shown(spec), static_cast<double>(outcomes.size()) / static_cast<double>(specs.size()));
     outcomes.push_back(study.run(shadow::parse_spec(spec)));
-    picture(outcomes.back().visibility, spec);
+    picture(outcomes.back().visibility, shown(spec));
   }
   return outcomes;
 }

@@ -32,6 +32,9 @@ class Bench {
   /// Found at the first call: what needs no device runs without one.
   const gpu::Device& device();
 
+  /// A spec as tables name it: without the folder of its files.
+  std::string shown(const std::string& spec) const;
+
   /// A study of one view, with the options' size and repeats.
   compare::Study study(const Scene& scene, const Camera& camera, const Light& light);
   /// Runs `specs` in `study`, one outcome each. Pictures of the reference and of each are written as

@@ -91,7 +91,7 @@ BenchTable flights(Bench& bench, Bakes& bakes) {
                                         cpvs + ",taps=9,far=voaa", "csm@2048,cascades=4", "csm@2048,cascades=8"});
     const double one_tap = report.results[0].milliseconds.max, csm = report.results[5].milliseconds.max;
     for (const compare::TechniqueResult& result : report.results)
-      table.rows.push_back({flight.name, result.technique, milliseconds(result.milliseconds.median),
+      table.rows.push_back({flight.name, bench.shown(result.technique), milliseconds(result.milliseconds.median),
                             milliseconds(result.milliseconds.max), times(result.milliseconds.max / one_tap),
                             times(result.milliseconds.max / csm), fmt::format("{:.3f} %", 100 * result.error.fraction),
                             fmt::format("{:.4f}", result.error.flicker.value_or(0))});
@@ -169,7 +169,8 @@ BenchTable distant(Bench& bench, Bakes& bakes) {
   const std::string spec = bakes.spec(scene, "ruins") + ",taps=9";
   for (const compare::Outcome& outcome :
        bench.run(study, {spec, spec + ",far=voaa", spec + ",far=mraa"}, "distant", table))
-    table.rows.push_back({outcome.result.technique, fmt::format("{:.5f}", outcome.result.error.mean_absolute),
+    table.rows.push_back({bench.shown(outcome.result.technique),
+                          fmt::format("{:.5f}", outcome.result.error.mean_absolute),
                           fmt::format("{:.3f} %", 100 * outcome.result.error.fraction)});
   return table;
 }
@@ -184,7 +185,7 @@ BenchTable quality(Bench& bench, Bakes& bakes) {
   const std::string spec = bakes.spec(scene, "ruins") + ",taps=9";
   const auto outcomes = bench.run(study, {"csm@2048,cascades=4", "csm@2048,cascades=8", spec}, "quality", table);
   for (const compare::Outcome& outcome : outcomes)
-    table.rows.push_back({outcome.result.technique, milliseconds(outcome.result.milliseconds.median),
+    table.rows.push_back({bench.shown(outcome.result.technique), milliseconds(outcome.result.milliseconds.median),
                           times(outcome.result.milliseconds.median / outcomes.back().result.milliseconds.median),
                           fmt::format("{:.3f} %", 100 * outcome.result.error.fraction),
                           fmt::format("{:.5f}", outcome.result.error.mean_absolute)});
