@@ -12,6 +12,7 @@
 #include "shadewright/compare/approximation.h"
 #include "shadewright/compare/path_study.h"
 #include "shadewright/error.h"
+#include "shadewright/shadow/technique.h"
 #include "verbs.h"
 
 namespace shadewright::app {
@@ -26,9 +27,9 @@ struct Flags {
   bool every_frame = false;
 };
 
-/// What is compared when nothing is asked for: everything there is, at its default.
-const std::vector<std::string> default_techniques = {"sm",  "sm@4096", "pcf",  "vsm",  "csm",
-                                                     "psm", "spsm",    "rgsm", "cpvs", "ray"};
+/// What is compared when nothing is asked for: everything there is, at its default, that serves the light.
+const std::vector<std::string> default_techniques = {"sm",  "sm@4096", "pcf",  "vsm",  "csm",  "psm",
+                                                     "rtw", "rmsm",    "spsm", "rgsm", "cpvs", "ray"};
 
 compare::Report read_report(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -113,6 +114,8 @@ void run(const Flags& flags) {
 
   ProgressBar progress(flags.scene.quiet);
   const View view = load_view(flags.scene, progress);
+  if (flags.techniques.empty())
+    std::erase_if(specs, [&](const shadow::Spec& spec) { return !shadow::serves(spec, view.light.kind); });
   const gpu::Device device(device_options(flags.scene));
   const compare::Report report = compare_view(flags, view, device, specs, before ? &*before : nullptr, progress);
   progress.clear();

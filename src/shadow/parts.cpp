@@ -43,15 +43,10 @@ constexpr Refusal refusals[] = {
     {"", "triangle", "aa", "a triangle has no anti-aliasing of its own, only subpixel storage has"},
 };
 
-constexpr std::string_view without_point_lights[] = {"cascaded", "rectilinear"};
+constexpr std::string_view without_point_lights[] = {"cascaded", "rectilinear", "precomputed"};
 
 bool fits(std::string_view pattern, std::string_view name) {
   return pattern.empty() || pattern == name;
-}
-
-bool serves_point_lights(std::string_view parameterization) {
-  return std::find(std::begin(without_point_lights), std::end(without_point_lights), parameterization) ==
-         std::end(without_point_lights);
 }
 
 std::vector<std::string_view> names_on(std::string_view axis) {
@@ -97,8 +92,13 @@ bool is_built(std::string_view parameterization, std::string_view storage, std::
   return false;
 }
 
+bool serves(std::string_view parameterization, LightKind light) {
+  return light != LightKind::point || std::find(std::begin(without_point_lights), std::end(without_point_lights),
+                                                parameterization) == std::end(without_point_lights);
+}
+
 void check_light(std::string_view parameterization, LightKind light) {
-  if (light == LightKind::point && !serves_point_lights(parameterization))
+  if (!serves(parameterization, light))
     throw InputError(fmt::format("parameterization '{}'", parameterization),
                      "it has no six faces, so it can't serve a point light",
                      "choose uniform, perspective or paged, or a spot light");
@@ -108,7 +108,7 @@ std::string combinations_help() {
   std::string text = "Combinations that work (lights: all kinds unless said)\n";
   for (const auto p : names_on("parameterization")) {
     if (!is_built(p, "", "")) continue;
-    text += fmt::format("  {}{}\n", p, serves_point_lights(p) ? "" : " (directional and spot lights)");
+    text += fmt::format("  {}{}\n", p, serves(p, LightKind::point) ? "" : " (directional and spot lights)");
     for (const auto s : names_on("storage")) {
       std::string filters;
       for (const auto f : names_on("filter"))

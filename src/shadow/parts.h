@@ -29,6 +29,8 @@ std::string why_refused(std::string_view parameterization, std::string_view stor
 /// True if the library holds the shaders of the combination. An empty name stands for any.
 bool is_built(std::string_view parameterization, std::string_view storage, std::string_view filter);
 
+/// True if the parameterization ("precomputed" too) serves lights of this kind.
+bool serves(std::string_view parameterization, LightKind light);
 /// InputError where the parameterization serves no light of this kind.
 void check_light(std::string_view parameterization, LightKind light);
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "shadewright/error.h"
+#include "shadewright/shadow/technique.h"
 
 namespace shadewright::shadow {
 namespace {
@@ -82,6 +83,15 @@ TEST(SpecTest, RefusesWithAReason) {
 TEST(SpecTest, RefusesUnbuiltPartsByName) {
   for (const char* text : {"uniform/subpixel/aa"})
     EXPECT_NE(refusal(text).find("not built yet"), std::string::npos) << text << ": " << refusal(text);
+}
+
+TEST(SpecTest, KnowsWhichLightsATechniqueServes) {
+  for (const char* text : {"sm", "psm", "rmsm", "spsm"})
+    EXPECT_TRUE(serves(parse_spec(text), LightKind::point)) << text;
+  for (const char* text : {"csm", "rtw", "cpvs"}) {
+    EXPECT_FALSE(serves(parse_spec(text), LightKind::point)) << text;
+    EXPECT_TRUE(serves(parse_spec(text), LightKind::spot)) << text;
+  }
 }
 
 TEST(SpecTest, SweepsByPowersOfTwo) {

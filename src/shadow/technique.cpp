@@ -4,6 +4,7 @@
 
 #include "shadewright/error.h"
 #include "shadow/map_technique.h"
+#include "shadow/parts.h"
 #include "shadow/precomputed/precomputed.h"
 
 namespace shadewright::shadow {
@@ -16,6 +17,10 @@ void Technique::record(const Frame& frame, VkCommandBuffer commands) {
 Picture Technique::debug_picture(std::string_view name) {
   throw InputError(fmt::format("--debug {}", name), "this technique has no debug image of that name",
                    fmt::format("its debug images: {}", fmt::join(debug_names(), ", ")));
+}
+
+bool serves(const Spec& spec, LightKind light) {
+  return serves(spec.parameterization, light);
 }
 
 std::unique_ptr<Technique> make_technique(const gpu::Device& device, const Spec& spec,

@@ -120,6 +120,9 @@ class Technique {
   const gpu::Device& device_;
 };
 
+/// True if the technique that `spec` names serves lights of this kind.
+bool serves(const Spec& spec, LightKind light);
+
 /// Builds the technique that `spec` names. InputError where the options forbid what it needs.
 std::unique_ptr<Technique> make_technique(const gpu::Device& device, const Spec& spec, const TechniqueOptions& options);
 
