@@ -25,7 +25,8 @@ function(shadewright_combination parameterization storage filter)
   endif()
   foreach(stage vert tesc tese geom frag)
     set(casters "${room}/storage/${storage}/casters.${stage}.in")
-    if(EXISTS "${casters}")
+    # A parameterization with a vertex stage of its own draws casters by it.
+    if(EXISTS "${casters}" AND NOT EXISTS "${room}/parameterization/${parameterization}/casters.${stage}")
       _shadewright_generate("${casters}" casters_${parameterization}_${storage}_${stage} shadewright_caster_entries
                             ${parameterization}/${storage}.${stage})
     endif()

@@ -1,5 +1,5 @@
-// Gives each new page its slot in the pool: the number of new pages before it. Notes which pages hold one to draw, and the
-// quads that empty those.
+// Gives each new block and page its slots in the pool: by the number of new ones before it. Notes which pages hold one to draw, and
+// which units are emptied for it.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
@@ -14,30 +14,34 @@ layout(set = 0, binding = 4, scalar) buffer Valid { uint valid[]; };
 layout(set = 0, binding = 5, scalar) buffer DrawOrFiner { uint draw_or_finer[]; };
 layout(set = 0, binding = 6, scalar) buffer TableOut { uint table[]; };
 layout(set = 0, binding = 7, scalar) buffer StateOut { PageState state; };
-layout(set = 0, binding = 8, scalar) writeonly buffer ClearQuads { PageVertex clear_quads[]; };
+layout(set = 0, binding = 8, scalar) writeonly buffer Emptied { uint emptied[]; };
 
-void empty_page(uint slot) {
-  uint first = atomicAdd(state.clear_vertex_count, 6);
-  vec2 place = vec2(slot % paged.pool_width, slot / paged.pool_width);
-  const uint corners[6] = uint[6](0, 1, 2, 2, 1, 3);
-  for (int k = 0; k < 6; ++k) {
-    vec2 corner = (place + vec2(corners[k] & 1, corners[k] >> 1)) * (2.0 / float(paged.pool_width)) - 1.0;
-    clear_quads[first + k] = PageVertex(vec3(corner, 1.0), slot);
-  }
-}
+void empty(uint unit) { emptied[atomicAdd(state.clear.vertex_count, 6) / 6] = unit; }
 
 void main() {
   uint word = gl_GlobalInvocationID.x;
+  // The first block stands on a whole block's place.
+  uint blocks = page_state.new_blocks, base = blocks > 0 ? (page_state.first_slot + block_pages - 1) / block_pages * block_pages
+                                                         : page_state.first_slot;
+  uint first_single = base + blocks * block_pages;
+  if (word == 0) state.slots = first_single + page_state.new_singles;
   if (word >= paged.words * paged.faces || requested[word] == 0) return;
-  uint first = word / paged.words * paged.words * 32u, level = word_level(word % paged.words);
-  uint slot = page_state.first_slot + before[word], fresh = requested[word] & ~placed[word];
-  for (uint bits = fresh; bits != 0; bits &= bits - 1) table[word * 32u + uint(findLSB(bits))] = page_entry(slot++, level);
+  uint level = word_level(word % paged.words), fresh = requested[word] & ~placed[word];
+  bool new_block = has_blocks(level) && fresh == ~0u && page_state.block_least <= block_pages;
+  uint slot = new_block ? base + (before[word] >> 20) * block_pages : first_single + (before[word] & 0xfffffu);
+  uint entry = page_entry(0, level, page_state.epoch) | (new_block ? entry_block : 0);
+  for (uint bits = fresh; bits != 0; bits &= bits - 1) table[word * 32u + uint(findLSB(bits))] = entry + slot++;
   placed[word] |= fresh;
-  valid[word] |= requested[word];
-  if (draw[word] != 0) atomicAdd(state.pages_drawn, bitCount(draw[word]));
+  valid[word] |= requested[word] | draw[word];
+  if (draw[word] == 0) return;
+  atomicAdd(state.pages_drawn, bitCount(draw[word]));
+  uint first_entry = table[word * 32u];
+  bool block = draw[word] == ~0u && is_current(first_entry) && (first_entry & entry_block) != 0;
+  if (block) empty(entry_slot(first_entry) | unit_block);
+  uint first = word / paged.words * paged.words * 32u;
   for (uint bits = draw[word]; bits != 0; bits &= bits - 1) {
     uint index = word * 32u + uint(findLSB(bits));
-    empty_page(entry_slot(table[index]));
+    if (!block) empty(entry_slot(table[index]));
     uint number = index - first - page_base(paged.top - level);
     for (uint l = level; l <= paged.top; ++l, number >>= 2) {
       uint above = first + page_base(paged.top - l) + number, bit = 1u << (above & 31u);

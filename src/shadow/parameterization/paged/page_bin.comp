@@ -1,6 +1,6 @@
-// Cuts the scene into (triangle, page) pairs: for each triangle of a touched cluster, every page to draw in which it may cover a
-// texel's centre gets the triangle's corners, in the page's place in the pool. A cluster whose pairs do not fit waits for the
-// next round; what it has drawn already is then drawn twice, which changes nothing.
+// Cuts the scene into (triangle, unit) pairs: for each triangle of a touched cluster, every page to draw, or whole block of them,
+// in which it may cover a texel's centre. A cluster whose pairs do not fit waits for the next round; what it has drawn already is
+// then drawn twice, which changes nothing.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
@@ -15,83 +15,108 @@ layout(set = 0, binding = 4, scalar) readonly buffer Draw { uint draw[]; };
 layout(set = 0, binding = 5, scalar) readonly buffer Touched { PageCluster touched[]; };
 layout(set = 0, binding = 6, scalar) writeonly buffer Late { PageCluster late[]; };
 layout(set = 0, binding = 7, scalar) buffer StateOut { PageState state; };
-layout(set = 0, binding = 8, scalar) writeonly buffer Vertices { PageVertex vertices[]; };
+layout(set = 0, binding = 8, scalar) writeonly buffer Pairs { uvec3 pairs[]; };
+layout(set = 0, binding = 9, scalar) writeonly buffer Corners { vec4 corners[]; };  // in the map, homogeneous
 layout(push_constant, scalar) uniform Push { BinConstants constants; };
 
 shared uint overflow;
 
-// How far a corner may be off, in texels of a level of this size: the rasterizer snaps to 1/256, and float has its error.
-float slack_of(float size) { return 1.0 / 64.0 + size * 3e-7; }
+const float few_texels = 512.0;
 
-void emit(vec3 corners[3], float size, uvec2 page, uint slot) {
-  uint first = atomicAdd(state.wanted_vertices, 3);
-  if (first + 3 > constants.vertex_capacity) {
-    overflow = 1;
-    return;
+// A triangle in the map. Its edges are homogeneous functions of a place relative to `origin`, positive inside: for places near it
+// floats are fine, and a triangle that reaches behind a lamp is what it is in front.
+struct MapTriangle {
+  vec2 origin;
+  vec3 edges[3];
+  vec2 low, high;  // bounds
+  bool in_front;   // all of it
+  float area;      // if so
+};
+
+bool map_triangle(vec4 q[3], float near, out MapTriangle t) {
+  bvec3 behind = lessThan(vec3(q[0].w, q[1].w, q[2].w), vec3(near));
+  if (all(behind)) return false;
+  t.in_front = !any(behind);
+  t.origin = t.in_front ? q[0].xy / q[0].w : vec2(0.5);
+  t.low = vec2(0.0);
+  t.high = vec2(1.0);
+  if (t.in_front) {
+    vec2 b = q[1].xy / q[1].w, c = q[2].xy / q[2].w;
+    t.low = min(t.origin, min(b, c));
+    t.high = max(t.origin, max(b, c));
   }
-  vec2 place = vec2(slot % paged.pool_width, slot / paged.pool_width) - vec2(page);
-  float pool = 2.0 / float(paged.pool_width * page_texels);
-  for (int k = 0; k < 3; ++k) {
-    vec2 texel = corners[k].xy * size + place * float(page_texels);
-    vertices[first + k] = PageVertex(vec3(texel * pool - 1.0, corners[k].z), slot);
-  }
+  vec3 h[3];
+  for (int k = 0; k < 3; ++k) h[k] = vec3(q[k].xy - t.origin * q[k].w, q[k].w);
+  for (int k = 0; k < 3; ++k) t.edges[k] = cross(h[(k + 1) % 3], h[(k + 2) % 3]);
+  float area = dot(h[0], t.edges[0]);
+  t.area = 0.5 * abs(area) / (q[0].w * q[1].w * q[2].w);
+  if (area < 0.0)
+    for (int k = 0; k < 3; ++k) t.edges[k] = -t.edges[k];
+  return true;
 }
 
-// Whether a triangle may cover the centre of a texel of a page. `first` and `last` are the texels whose centres its bounds hold.
-bool covers(vec3 corners[3], float size, uvec2 page, vec2 first, vec2 last) {
-  vec2 center = (vec2(page) + 0.5) * float(page_texels);
-  vec2 a = max(first, vec2(page * page_texels)), b = min(last, vec2(page * page_texels + page_texels - 1u));
-  float slack = slack_of(size);
-  vec2 from[3];
-  for (int k = 0; k < 3; ++k) from[k] = corners[k].xy * size - center;
-  float turn = determinant(mat2(from[1] - from[0], from[2] - from[0])) < 0.0 ? -1.0 : 1.0;
-  vec3 edges[3];  // signed distances times length, inside positive
-  vec2 middle = 0.5 * (a + b) + 0.5 - center, reach = 0.5 * (b - a);
-  for (int k = 0; k < 3; ++k) {
-    vec2 along = (from[(k + 1) % 3] - from[k]) * turn;
-    vec2 normal = vec2(-along.y, along.x);
-    edges[k] = vec3(normal, -dot(normal, from[k]) + slack * (abs(normal.x) + abs(normal.y)));
-    if (dot(normal, middle) + edges[k].z + dot(abs(normal), reach) < 0.0) return false;
-  }
-  // A few texels are looked at one by one: most triangles of a fine mesh lie between the centres of a coarse level.
-  uvec2 extent = uvec2(b - a) + 1u;
-  if (extent.x * extent.y > 16u) return true;
-  for (uint i = 0; i < extent.x * extent.y; ++i) {
-    vec2 p = a + vec2(i % extent.x, i / extent.x) + 0.5 - center;
-    if (all(greaterThanEqual(vec3(dot(edges[0].xy, p) + edges[0].z, dot(edges[1].xy, p) + edges[1].z,
-                                  dot(edges[2].xy, p) + edges[2].z), vec3(0.0))))
-      return true;
-  }
-  return false;
+// Whether it may cover a place of a box, of which the rasterizer may be off by `slack`.
+bool covers(MapTriangle t, vec2 middle, vec2 reach, float slack) {
+  vec2 p = middle - t.origin;
+  for (int k = 0; k < 3; ++k)
+    if (dot(t.edges[k].xy, p) + t.edges[k].z + dot(abs(t.edges[k].xy), reach + slack) < 0.0) return false;
+  return true;
 }
 
-void bin_level(vec3 corners[3], vec2 low, vec2 high, uint face, uint level) {
-  float size = level_size(level), slack = slack_of(size);
-  vec2 first = clamp(ceil(low * size - 0.5 - slack), vec2(0.0), vec2(size)),
-       last = clamp(floor(high * size - 0.5 + slack), vec2(-1.0), vec2(size - 1.0));
-  if (any(greaterThan(first, last))) return;
-  uvec2 a = uvec2(first) / page_texels, b = uvec2(last) / page_texels;
-  // Blocks of 8 x 4 pages are the words of the mask; small levels have less than a block.
-  uvec2 block_a = a / uvec2(8, 4), block_b = b / uvec2(8, 4);
-  for (uint by = block_a.y; by <= block_b.y; ++by)
-    for (uint bx = block_a.x; bx <= block_b.x; ++bx) {
-      uint word = page_index(face, level, uvec2(bx * 8, by * 4)) >> 5;
-      for (uint bits = draw[word]; bits != 0; bits &= bits - 1) {
-        uint bit = uint(findLSB(bits));
-        uvec2 page = uvec2(bx * 8, by * 4) + z_curve_place(bit);
-        if (any(lessThan(page, a)) || any(greaterThan(page, b))) continue;
-        if (covers(corners, size, page, first, last)) emit(corners, size, page, entry_slot(page_table[word * 32u + bit]));
+// Walks levels, blocks and units in one loop: nested ones would let a device's lanes wait for each other at each end.
+void bin(MapTriangle t, uint triangle, PageCluster part) {
+  uint levels = part.levels, level = 0, word = 0, bits = 0;
+  float size = 1.0, slack = 0.0;
+  vec2 first, last;                                   // the texels whose centres the bounds hold
+  ivec2 block = ivec2(0), block_a = ivec2(0), block_b = ivec2(-1), page_a, page_b;
+  bool whole = false;
+  while (true) {
+    if (bits == 0) {
+      if (++block.x > block_b.x) block = ivec2(block_a.x, block.y + 1);
+      if (block.y > block_b.y) {
+        if (levels == 0) break;
+        level = uint(findLSB(levels));
+        levels &= levels - 1;
+        size = level_size(level);
+        slack = 1.0 / 64.0 + size * 3e-7;  // the rasterizer snaps to 1/256, and float has its error
+        first = clamp(ceil(t.low * size - 0.5 - slack), vec2(0.0), vec2(size));
+        last = clamp(floor(t.high * size - 0.5 + slack), vec2(-1.0), vec2(size - 1.0));
+        bool empty = any(greaterThan(first, last));
+        page_a = ivec2(first) / int(page_texels);
+        page_b = ivec2(last) / int(page_texels);
+        block_a = page_a / ivec2(8, 4);  // small levels have less than a block
+        block_b = empty ? ivec2(-1) : page_b / ivec2(8, 4);
+        block = empty ? ivec2(0) : block_a;
+        if (empty) continue;
       }
+      ivec2 corner = block * ivec2(8, 4);
+      word = page_index(part.face, level, uvec2(corner)) >> 5;
+      uint drawn = draw[word];
+      bits = drawn & block_mask(max(page_a - corner, ivec2(0)), min(page_b - corner, ivec2(7, 3)));
+      whole = drawn == ~0u && (page_table[word * 32u] & entry_block) != 0;
+      if (whole) bits = min(bits, 1u);
+      if (bits == 0) continue;
     }
+    uint bit = uint(findLSB(bits));
+    bits &= bits - 1;
+    uvec2 page = uvec2(block) * uvec2(8, 4) + z_curve_place(bit);
+    vec2 from = vec2(page * page_texels), to = from + (whole ? vec2(255.0, 127.0) : vec2(31.0));
+    vec2 a = max(first, from), b = min(last, to);
+    if (!covers(t, (0.5 * (a + b) + 0.5) / size, 0.5 * (b - a) / size, slack / size)) continue;
+    // What covers no texel's centre outside need not be cut.
+    bool inner = t.in_front && all(greaterThan(t.low * size, from - 0.49)) && all(lessThan(t.high * size, to + 1.49));
+    uint kind = inner ? pair_inner : t.in_front && t.area * size * size < few_texels ? pair_small : pair_clipped;
+    uint pair = constants.first_pair[kind] + atomicAdd(state.draws[kind].vertex_count, 3) / 3;
+    if (pair >= constants.first_pair[kind + 1]) {
+      overflow = 1;
+      continue;
+    }
+    pairs[pair] = pack_pair(triangle, level, page, entry_slot(page_table[word * 32u + bit]), whole);
+  }
 }
 
-void bin(vec3 corners[3], uint face, uint levels) {
-  vec2 low = min(min(corners[0].xy, corners[1].xy), corners[2].xy);
-  vec2 high = max(max(corners[0].xy, corners[1].xy), corners[2].xy);
-  for (; levels != 0; levels &= levels - 1) bin_level(corners, low, high, face, uint(findLSB(levels)));
-}
-
-vec3 divided(vec4 q) { return q.xyz / q.w; }
+// Closed bodies show a sun only their facing sides: the others lie behind them on every ray.
+bool averted(vec3 a, vec3 b, vec3 c, float turn) { return turn * dot(cross(b - a, c - a), lookup.light_direction) > 0.0; }
 
 void main() {
   if (gl_LocalInvocationIndex == 0) overflow = 0;
@@ -99,37 +124,36 @@ void main() {
   uint place = gl_WorkGroupID.y * 32768u + gl_WorkGroupID.x;
   bool works = place < min(state.visible_clusters, constants.cluster_capacity);
   PageCluster part;
+  ClusterData cluster;
+  bool fits = false;
   if (works) {
     part = touched[place];
-    ClusterData cluster = clusters[part.cluster];
+    cluster = clusters[part.cluster];
+    fits = part.first_triangle + cluster.index_count / 3 <= constants.triangle_capacity;
+  }
+  if (fits) {
     mat4 map_from_world = map_views[part.face].map_from_world;
     mat4x3 world_from_mesh = instances[part.instance].world_from_mesh;
     float near = paged.near[part.face];
+    bool closed = lookup.light_kind == light_directional && (cluster.body & body_closed) != 0;
+    float turn = determinant(mat3(world_from_mesh)) < 0.0 ? -1.0 : 1.0;
     for (uint t = gl_LocalInvocationIndex; t < cluster.index_count / 3; t += 64) {
+      uint first_index = cluster.first_index + 3 * t;
+      vec3 world[3];
       vec4 q[3];
-      int behind = 0;
       for (int k = 0; k < 3; ++k) {
-        vec3 world = world_from_mesh * vec4(positions[indices[cluster.first_index + 3 * t + k]], 1.0);
-        q[k] = map_from_world * vec4(world, 1.0);
-        behind += q[k].w < near ? 1 : 0;
+        world[k] = world_from_mesh * vec4(positions[indices[first_index + k]], 1.0);
+        q[k] = map_from_world * vec4(world[k], 1.0);
       }
-      if (behind == 3) continue;
-      if (behind == 0) {
-        bin(vec3[3](divided(q[0]), divided(q[1]), divided(q[2])), part.face, part.levels);
-        continue;
-      }
-      // A perspective light's triangle that reaches behind the light: what is left before it has three or four corners.
-      vec3 cut[4];
-      int count = 0;
-      for (int k = 0; k < 3; ++k) {
-        vec4 from = q[k], to = q[(k + 1) % 3];
-        if (from.w >= near) cut[count++] = divided(from);
-        if ((from.w >= near) != (to.w >= near)) cut[count++] = divided(mix(from, to, (near - from.w) / (to.w - from.w)));
-      }
-      bin(vec3[3](cut[0], cut[1], cut[2]), part.face, part.levels);
-      if (count == 4) bin(vec3[3](cut[0], cut[2], cut[3]), part.face, part.levels);
+      MapTriangle triangle;
+      if (closed && averted(world[0], world[1], world[2], turn)) continue;
+      if (!map_triangle(q, near, triangle)) continue;
+      for (int k = 0; k < 3; ++k) corners[3 * (part.first_triangle + t) + k] = q[k];
+      bin(triangle, part.first_triangle + t, part);
     }
   }
   barrier();
-  if (works && gl_LocalInvocationIndex == 0 && overflow != 0) late[atomicAdd(state.late_clusters, 1)] = part;
+  if (!works || gl_LocalInvocationIndex > 0 || (fits && overflow == 0)) return;
+  part.first_triangle = atomicAdd(state.late_triangles, cluster.index_count / 3);
+  late[atomicAdd(state.late_clusters, 1)] = part;
 }

@@ -10,8 +10,8 @@ layout(push_constant, scalar) uniform Push { BinConstants constants; };
 
 void main() {
   if (constants.round > 0) state.visible_clusters = state.late_clusters;
-  state.late_clusters = 0;
-  state.wanted_vertices = 0;
+  state.late_clusters = state.late_triangles = 0;
+  for (uint kind = 0; kind < pair_kinds; ++kind) state.draws[kind] = DrawArrays(0, 1, 0, 0);
   uint count = min(state.visible_clusters, constants.cluster_capacity);
   state.bin_groups = uvec3(min(count, 32768u), (count + 32767u) / 32768u, 1u);
 }

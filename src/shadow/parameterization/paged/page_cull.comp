@@ -69,7 +69,8 @@ void main() {
       uint levels = touched_levels(face, low, high);
       if (levels == 0) continue;
       uint place = atomicAdd(state.visible_clusters, 1);
-      if (place < constants.cluster_capacity) touched[place] = PageCluster(index, instance, face, levels);
+      if (place < constants.cluster_capacity) 
+        touched[place] = PageCluster(index, instance, face, levels, atomicAdd(state.triangles, cluster.index_count / 3));
     }
   }
 }

@@ -16,9 +16,10 @@ layout(binding = 4, scalar) buffer StateOut { PageState state; };
 void main() {
   uint word = gl_GlobalInvocationID.x;
   if (word >= paged.words * paged.faces || requested_or_finer[word] == 0) return;
-  uint level = word_level(word % paged.words);
+  uint level = word_level(word % paged.words), taken = paged.flush != 0 ? 0 : placed[word];
   atomicAdd(state.requested[level], bitCount(requested[word]));
   atomicAdd(state.requested_or_finer[level], bitCount(requested_or_finer[word]));
-  atomicAdd(state.fresh[level], bitCount(requested[word] & ~placed[word]));
-  atomicAdd(state.fresh_or_finer[level], bitCount(requested_or_finer[word] & ~placed[word]));
+  atomicAdd(state.fresh[level], bitCount(requested[word] & ~taken));
+  if (requested[word] != 0 && taken == 0 && has_blocks(level)) atomicAdd(state.blocks_with[bitCount(requested[word])], 1);
+  atomicAdd(state.fresh_or_finer[level], bitCount(requested_or_finer[word] & ~taken));
 }

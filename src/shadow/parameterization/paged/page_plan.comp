@@ -33,6 +33,20 @@ void main() {
   }
   state.flushed = flush ? 1 : 0;
   state.first_slot = state.slots;
-  state.slots += fresh;
-  state.clear_instance_count = 1;
+  state.clear.instance_count = 1;
+
+  // Blocks are drawn as one, which is worth some pages that nobody asked for as long as the pool has room (and slots before the
+  // first block, which stands on a whole block's place). What was counted holds unless levels were dropped or the pool emptied
+  // for want of room.
+  const uint worth = 8;
+  bool counted = finest == paged.finest && (!flush || paged.flush != 0);
+  uint room = paged.pool_pages - state.slots - fresh;
+  state.block_least = block_pages + 1;
+  if (room < block_pages && state.slots % block_pages != 0) return;
+  state.block_least = block_pages;
+  room -= min(room, block_pages - 1);
+  for (uint extra = 0; counted && state.block_least > worth; --state.block_least) {
+    extra += state.blocks_with[state.block_least - 1] * (block_pages - state.block_least + 1);
+    if (extra > room) break;
+  }
 }

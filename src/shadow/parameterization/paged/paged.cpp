@@ -63,8 +63,8 @@ Paged::Paged(const gpu::Device& device, const Spec& spec, const TechniqueOptions
       changes_(device, options.frames_in_flight) {
   if (!std::has_single_bit(spec.resolution))
     throw InputError(spec.text, "a paged map's resolution is a power of two", "give 1024, 2048, ... 131072");
-  if (pool_texels_ % shared::page_texels != 0)
-    throw InputError(spec.text, "the pool is no multiple of a page's 32 texels", "give 1024, 2048, 4096, ...");
+  if (pool_texels_ % (8 * shared::page_texels) != 0)
+    throw InputError(spec.text, "the pool is no multiple of a block's 256 texels", "give 1024, 2048, 4096, ...");
   if (edges_ && spec.storage != "depth")
     throw InputError(spec.text, "edges are found in depths alone", "leave refine=edges out");
   top_ = static_cast<uint32_t>(std::countr_zero(spec.resolution / shared::page_texels));
@@ -83,7 +83,7 @@ Paged::Paged(const gpu::Device& device, const Spec& spec, const TechniqueOptions
   plan_pass_ = gpu::ComputePass(device, shaders::page_plan_comp, {uniform_buffer, storage_buffer});
   counts_pass_ = gpu::ComputePass(device, shaders::page_counts_comp,
                                   {uniform_buffer, storage_buffer, storage_buffer, storage_buffer, storage_buffer,
-                                   storage_buffer, storage_buffer, storage_buffer});
+                                   storage_buffer, storage_buffer, storage_buffer, storage_buffer});
 }
 
 MapExtent Paged::map_extent(LightKind) const {
@@ -113,7 +113,7 @@ void Paged::make_tables(LightKind light) {
   counts_ = gpu::Buffer(device_, "page counts", words * sizeof(uint32_t));
   table_ = gpu::Buffer(device_, "page table", pages * sizeof(uint32_t));
   const uint64_t pool_pages = uint64_t{pool_texels_} * pool_texels_ / (shared::page_texels * shared::page_texels);
-  clear_quads_ = gpu::Buffer(device_, "page quads", pool_pages * 6 * sizeof(shared::PageVertex));
+  emptied_ = gpu::Buffer(device_, "emptied pages", pool_pages * sizeof(uint32_t));
   table_is_void_ = true;
   scan_ = gpu::Scan(device_, words);
   requests_pass_ = {};
@@ -329,14 +329,15 @@ void Paged::record_allocation(const ReceiverLookup& lookup, const vk::raii::Comm
   gpu::memory_barrier(commands);
   plan_pass_.dispatch(commands, std::array{constants, state}, {}, {1, 1, 1});
   gpu::memory_barrier(commands);
-  counts_pass_.dispatch(commands, std::array{constants, requested, parents, placed, valid, state, draw, counts}, {},
-                        groups);
+  counts_pass_.dispatch(
+      commands, std::array{constants, requested, parents, placed, valid, state, draw, counts, Binding::storage(table_)},
+      {}, groups);
   gpu::memory_barrier(commands);
   scan_.record(commands, counts_, words);
   gpu::memory_barrier(commands);
   allocate_pass_.dispatch(commands,
                           std::array{requested, draw, counts, placed, valid, Binding::storage(draw_or_finer_),
-                                     Binding::storage(table_), state, Binding::storage(clear_quads_)},
+                                     Binding::storage(table_), state, Binding::storage(emptied_)},
                           {}, groups, sets);
 }
 
@@ -400,7 +401,7 @@ std::vector<Allocation> Paged::allocations() const {
   std::vector<Allocation> result{state_.allocation()};
   if (table_)
     for (const gpu::Buffer* buffer : {&table_, &requested_, &requested_or_finer_, &placed_, &valid_, &draw_,
-                                      &draw_or_finer_, &counts_, &clear_quads_, &scan_.totals()})
+                                      &draw_or_finer_, &counts_, &emptied_, &scan_.totals()})
       result.push_back(buffer->allocation());
   for (const auto* buffers : {&constants_, &results_})
     for (const auto& buffer : *buffers) result.push_back(buffer.allocation());

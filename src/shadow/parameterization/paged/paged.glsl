@@ -5,7 +5,6 @@
 #include "shadow/parameterization/paged/pages.h"
 
 #define MAP_LEVELS 1  // map_level and map_point_at exist
-#define MAP_PREPARED_CASTERS 1  // casters come as corners in the pool
 
 layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 8, scalar) uniform Paged { PagedConstants paged; };
 layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 9, scalar) readonly buffer State { PageState page_state; };
@@ -13,14 +12,7 @@ layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 10, scalar) readonly buffer Table
 
 #include "shadow/parameterization/paged/pages.glsl"
 
-// An entry of the table: slot, level, and the epoch in which it was written; entries of other epochs are void.
-const uint entry_slot_bits = 16, entry_level_bits = 5;
-uint page_entry(uint slot, uint level) {
-  return slot | level << entry_slot_bits | page_state.epoch << (entry_slot_bits + entry_level_bits);
-}
-bool is_current(uint entry) { return entry >> (entry_slot_bits + entry_level_bits) == page_state.epoch; }
-uint entry_slot(uint entry) { return entry & ((1u << entry_slot_bits) - 1u); }
-uint entry_level(uint entry) { return entry >> entry_slot_bits & ((1u << entry_level_bits) - 1u); }
+bool is_current(uint entry) { return is_of(entry, page_state.epoch); }
 
 const uint no_page = ~0u;
 
@@ -132,8 +124,7 @@ bool map_fetch(MapPoint p, ivec2 offset, out ivec3 address) {
     if (!is_current(entry) || entry_level(entry) != level) return false;
     slot = entry_slot(entry);
   }
-  uvec2 place = uvec2(slot % paged.pool_width, slot / paged.pool_width);
-  address = ivec3(ivec2(place * page_texels) + (texel & int(page_texels - 1u)), 0);
+  address = ivec3(ivec2(slot_place(slot) * page_texels) + (texel & int(page_texels - 1u)), 0);
   return true;
 }
 

@@ -3,12 +3,15 @@
 // scene.
 //
 // 1. Each pixel marks the pages it will read: one bit a page, at the level whose texels have the pixel's own size.
-// 2. The marks are counted and scanned: a page's slot in the pool is the number of marked pages before it.
-// 3. Clusters that touch a marked page are found, and their triangles cut into (triangle, page) pairs.
-// 4. One draw puts all pairs into their pages' places in the pool, clipped at the page's border.
+// 2. The marks are counted and scanned: a page's slot in the pool is the number of marked pages before it. A block of
+//    8 x 4 pages of which many are marked gets all of its slots, side by side, and is drawn as one.
+// 3. Clusters that touch a marked page are found, and of their triangles the (triangle, page or block) pairs. Of closed
+//    bodies a sun needs the facing sides only.
+// 4. The pairs are drawn straight into the pool: by one draw those that stay inside, by another the small ones that do
+//    not (their fragments outside are thrown away), by a third those that are clipped at the border.
 // 5. A look-up finds its page by one read of the table; where none is, by the next coarser one.
-// The paper sorts requests (here: bits, no sort), draws 1,024^2 superpages and copies pages out of them (here: one
-// draw).
+// The paper sorts requests (here: bits, no sort), draws 1,024^2 superpages and copies pages out of them (here: no
+// copy).
 #pragma once
 
 #include <functional>
@@ -51,8 +54,8 @@ class Paged final : public Parameterization {
   /// Bits of the pages to draw, and of those that are or hold one.
   const gpu::Buffer& pages_to_draw() const { return draw_; }
   const gpu::Buffer& pages_to_draw_or_finer() const { return draw_or_finer_; }
-  /// Quads over the places of the pages to draw (shared::PageVertex), and their draw in the state.
-  const gpu::Buffer& clear_quads() const { return clear_quads_; }
+  /// What is emptied before it is drawn: units (see page_clear.vert); their draw is in the state.
+  const gpu::Buffer& emptied() const { return emptied_; }
   uint32_t pool_texels() const { return pool_texels_; }
   /// Keeps the frame's state where `counters` reads it.
   void record_results(const vk::raii::CommandBuffer& commands) const;
@@ -90,7 +93,7 @@ class Paged final : public Parameterization {
   std::vector<gpu::Buffer> constants_, results_;  ///< by slot: host-written, host-read
   uint32_t slot_ = 0;
   gpu::Buffer state_, requested_, requested_or_finer_, placed_, valid_, draw_, draw_or_finer_, counts_, table_,
-      clear_quads_;
+      emptied_;
   gpu::Buffer used_;  ///< of statistics=on
 };
 

@@ -6,8 +6,13 @@
 
 #include "shaders/page_bin_comp.h"
 #include "shaders/page_bin_groups_comp.h"
+#include "shaders/page_clear_vert.h"
+#include "shaders/page_clipped_casters_vert.h"
 #include "shaders/page_cull_comp.h"
 #include "shaders/page_draw_comp.h"
+#include "shaders/page_inner_casters_vert.h"
+#include "shaders/page_small_casters_vert.h"
+#include "shaders/page_small_frag.h"
 #include "shadewright/error.h"
 #include "shadow/lookup_shaders.h"
 #include "shadow/parameterization/paged/paged.h"
@@ -16,9 +21,10 @@ namespace shadewright::shadow {
 
 namespace {
 
-// Pairs that a round has room for: a scene's triangles are mostly smaller than a page, and few levels overlap. A round
-// that is not needed costs nearly nothing.
-constexpr uint64_t pairs_per_triangle = 2, pairs_at_least = 1u << 18, pairs_at_most = 1u << 20;
+// What a round has room for. A scene's triangles are mostly smaller than a block of pages, and few levels overlap. A
+// round that is not needed costs nearly nothing.
+constexpr uint64_t pairs_per_triangle = 4, pairs_at_least = 1u << 18, pairs_at_most = 3u << 19;
+constexpr uint64_t triangles_at_least = 1u << 16, triangles_at_most = 1u << 19;
 constexpr uint32_t rounds = 8;
 constexpr uint64_t max_buffer_bytes = 128u << 20;
 
@@ -32,19 +38,25 @@ PagedCasterDraws::PagedCasterDraws(const gpu::Device& device, const Paged& paged
 }
 
 void PagedCasterDraws::make_pipelines(const gpu::Device& device, const CasterPipelineDesc& desc) {
+  using enum gpu::BindingKind;
   gpu::GraphicsDesc pipeline = casters_shaders(desc.spec);
-  pipeline.vertex_bindings = {{0, sizeof(shared::PageVertex), vk::VertexInputRate::eVertex}};
-  pipeline.vertex_attributes = {{0, 0, vk::Format::eR32G32B32Sfloat, offsetof(shared::PageVertex, position)},
-                                {1, 0, vk::Format::eR32Uint, offsetof(shared::PageVertex, slot)}};
+  pipeline.kinds = {storage_buffer, storage_buffer};
   pipeline.sets = {desc.lookup_layout};
-  pipeline.push_bytes = sizeof(uint32_t);
   pipeline.depth_clamp = true;
   pipeline.colors = desc.colors;
-  draw_pass_ = gpu::GraphicsPass(device, pipeline);
+  pipeline.vertex = shaders::page_clipped_casters_vert;
+  passes_[shared::pair_clipped] = gpu::GraphicsPass(device, pipeline);
+  pipeline.vertex = shaders::page_inner_casters_vert;
+  passes_[shared::pair_inner] = gpu::GraphicsPass(device, pipeline);
+  gpu::GraphicsDesc small = pipeline;
+  small.vertex = shaders::page_small_casters_vert;
+  small.fragment = shaders::page_small_frag;
+  passes_[shared::pair_small] = gpu::GraphicsPass(device, small);
+  pipeline.kinds = {storage_buffer};
+  pipeline.vertex = shaders::page_clear_vert;
   pipeline.depth_compare = vk::CompareOp::eAlways;
   clear_pass_ = gpu::GraphicsPass(device, pipeline);
 
-  using enum gpu::BindingKind;
   const std::span layouts(&desc.lookup_layout, 1);
   const auto pass = [&](std::span<const uint32_t> spirv, size_t buffers,
                         std::span<const vk::DescriptorSetLayout> sets) {
@@ -52,7 +64,7 @@ void PagedCasterDraws::make_pipelines(const gpu::Device& device, const CasterPip
   };
   cull_pass_ = pass(shaders::page_cull_comp, 6, layouts);
   groups_pass_ = pass(shaders::page_bin_groups_comp, 1, {});
-  bin_pass_ = pass(shaders::page_bin_comp, 9, layouts);
+  bin_pass_ = pass(shaders::page_bin_comp, 10, layouts);
   command_pass_ = pass(shaders::page_draw_comp, 1, {});
 }
 
@@ -66,11 +78,17 @@ void PagedCasterDraws::prepare(const Frame& frame, uint32_t, std::span<const Map
   const uint64_t faces = six_faces_ ? 6 : 1;
   const uint64_t clusters = std::min(scene_->list_capacity() * faces, max_buffer_bytes / sizeof(shared::PageCluster));
   const uint64_t pairs = std::clamp(scene_->triangle_count() * pairs_per_triangle, pairs_at_least, pairs_at_most);
-  constants_ = {scene_->cluster_count(), static_cast<uint32_t>(clusters), static_cast<uint32_t>(3 * pairs), 0,
-                static_cast<uint32_t>(frame.casters)};
+  const uint64_t triangles = std::clamp(scene_->triangle_count() * faces, triangles_at_least, triangles_at_most);
+  constants_.cluster_count = scene_->cluster_count();
+  constants_.cluster_capacity = static_cast<uint32_t>(clusters);
+  constants_.triangle_capacity = static_cast<uint32_t>(triangles);
+  // Half of the pairs may be inner ones; of the others most are small.
+  for (uint32_t kind = 0; kind <= shared::pair_kinds; ++kind)
+    constants_.first_pair[kind] = static_cast<uint32_t>(pairs * std::array{0, 4, 7, 8}[kind] / 8);
   touched_ = gpu::Buffer(device_, "touched clusters", clusters * sizeof(shared::PageCluster));
   late_ = gpu::Buffer(device_, "late clusters", clusters * sizeof(shared::PageCluster));
-  vertices_ = gpu::Buffer(device_, "triangle-page pairs", 3 * pairs * sizeof(shared::PageVertex));
+  pairs_ = gpu::Buffer(device_, "triangle-page pairs", pairs * sizeof(glm::uvec3));
+  corners_ = gpu::Buffer(device_, "triangles in the map", triangles * 3 * sizeof(glm::vec4));
 }
 
 void PagedCasterDraws::cull(const Frame& frame, uint32_t, const ReceiverLookup& lookup, gpu::Recorder& recorder) {
@@ -102,12 +120,13 @@ void PagedCasterDraws::bin(const vk::raii::CommandBuffer& commands, const Frame&
   const gpu::Buffer &in = round % 2 == 0 ? touched_ : late_, &out = round % 2 == 0 ? late_ : touched_;
   groups_pass_.dispatch(commands, std::array{state}, push, {1, 1, 1});
   gpu::memory_barrier(commands);
-  bin_pass_.dispatch_indirect(commands,
-                              std::array{Binding::storage(scene.clusters()), Binding::storage(scene.instances()),
-                                         Binding::storage(scene.positions()), Binding::storage(scene.indices()),
-                                         Binding::storage(paged_.pages_to_draw()), Binding::storage(in),
-                                         Binding::storage(out), state, Binding::storage(vertices_)},
-                              push, paged_.state(), offsetof(shared::PageState, bin_groups), std::span(&lookup_set, 1));
+  bin_pass_.dispatch_indirect(
+      commands,
+      std::array{Binding::storage(scene.clusters()), Binding::storage(scene.instances()),
+                 Binding::storage(scene.positions()), Binding::storage(scene.indices()),
+                 Binding::storage(paged_.pages_to_draw()), Binding::storage(in), Binding::storage(out), state,
+                 Binding::storage(pairs_), Binding::storage(corners_)},
+      push, paged_.state(), offsetof(shared::PageState, bin_groups), std::span(&lookup_set, 1));
   gpu::memory_barrier(commands);
   command_pass_.dispatch(commands, std::array{state}, push, {1, 1, 1});
   gpu::memory_barrier(commands);
@@ -126,18 +145,22 @@ void PagedCasterDraws::draw(const vk::raii::CommandBuffer& commands, const Frame
   const auto side = static_cast<float>(paged_.pool_texels());
   commands.setViewport(0, vk::Viewport(0, 0, side, side, 0, 1));
   commands.setScissor(0, rounds_[index].viewport);
-  const auto corners = [&](const gpu::GraphicsPass& pass, const gpu::Buffer& vertices, size_t command) {
-    pass.bind(commands, {}, gpu::bytes_of(index), std::span(&lookup_set, 1));
-    commands.bindVertexBuffers(0, vertices.handle(), {0});
+  const auto draw_units = [&](const gpu::GraphicsPass& pass, std::span<const gpu::Binding> bindings, size_t command) {
+    pass.bind(commands, bindings, {}, std::span(&lookup_set, 1));
     commands.drawIndirect(paged_.state().handle(), command, 1, 0);
   };
-  if (index == 0) corners(clear_pass_, paged_.clear_quads(), offsetof(shared::PageState, clear_vertex_count));
-  if (frame.scene) corners(draw_pass_, vertices_, offsetof(shared::PageState, vertex_count));
+  using gpu::Binding;
+  if (index == 0)
+    draw_units(clear_pass_, std::array{Binding::storage(paged_.emptied())}, offsetof(shared::PageState, clear));
+  if (!frame.scene) return;
+  const std::array bindings{Binding::storage(corners_), Binding::storage(pairs_)};
+  for (uint32_t kind = 0; kind < shared::pair_kinds; ++kind)
+    draw_units(passes_[kind], bindings, offsetof(shared::PageState, draws) + kind * sizeof(shared::DrawArrays));
 }
 
 std::vector<Allocation> PagedCasterDraws::allocations() const {
   if (!scene_) return {};
-  return {touched_.allocation(), late_.allocation(), vertices_.allocation()};
+  return {touched_.allocation(), late_.allocation(), pairs_.allocation(), corners_.allocation()};
 }
 
 }  // namespace shadewright::shadow

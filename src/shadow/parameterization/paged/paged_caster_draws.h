@@ -35,9 +35,9 @@ class PagedCasterDraws final : public CasterDraws {
   std::vector<MapView> rounds_;
   const render::SceneGpu* scene_ = nullptr;  ///< whom the buffers were made for
   shared::BinConstants constants_{};
-  gpu::GraphicsPass draw_pass_, clear_pass_;
+  gpu::GraphicsPass passes_[shared::pair_kinds], clear_pass_;
   gpu::ComputePass cull_pass_, groups_pass_, bin_pass_, command_pass_;
-  gpu::Buffer touched_, late_, vertices_;
+  gpu::Buffer touched_, late_, pairs_, corners_;
 };
 
 }  // namespace shadewright::shadow

@@ -27,8 +27,45 @@ uvec2 z_curve_place(uint index) { return uvec2(z_curve_gather(index), z_curve_ga
 // of two levels.
 uint page_base(uint k) { return k < 3u ? 32u * k : 96u + ((1u << 2u * k) - 64u) / 3u; }
 
+// Levels of less than 32 pages are no blocks.
+bool has_blocks(uint level) { return paged.top - level >= 3; }
+
 uint page_index(uint face, uint level, uvec2 page) {
   return face * paged.words * 32u + page_base(paged.top - level) + z_curve(page);
+}
+
+// An entry of the table: slot, level, whether its block is one in the pool too, and the epoch in which it was written; entries of
+// other epochs are void.
+const uint entry_slot_bits = 16, entry_level_bits = 4, entry_block = 1u << 20, entry_epoch_shift = 21;
+uint page_entry(uint slot, uint level, uint epoch) { return slot | level << entry_slot_bits | epoch << entry_epoch_shift; }
+bool is_of(uint entry, uint epoch) { return entry >> entry_epoch_shift == epoch; }
+uint entry_slot(uint entry) { return entry & ((1u << entry_slot_bits) - 1u); }
+uint entry_level(uint entry) { return entry >> entry_slot_bits & ((1u << entry_level_bits) - 1u); }
+
+// New blocks and pages that are not in one, in one number for the scan.
+uint new_count(uint blocks, uint singles) { return blocks << 20 | singles; }
+
+// A (triangle, unit) pair: the number of the triangle, the unit and its first page in the virtual map.
+uvec3 pack_pair(uint triangle, uint level, uvec2 page, uint slot, bool block) {
+  return uvec3(triangle, slot | (block ? unit_block : 0) | level << 17, page.x | page.y << 16);
+}
+uint pair_triangle(uvec3 pair) { return pair.x; }
+uint pair_slot(uvec3 pair) { return pair.y & (unit_block - 1u); }
+bool pair_is_block(uvec3 pair) { return (pair.y & unit_block) != 0; }
+uint pair_level(uvec3 pair) { return pair.y >> 17; }
+uvec2 pair_page(uvec3 pair) { return uvec2(pair.z & 0xffffu, pair.z >> 16); }
+
+// Bits of the pages of a block with x in [a, b], or y; coordinates within the block.
+const uint block_upto_x[9] = uint[9](0x0u, 0x505u, 0xf0fu, 0x5f5fu, 0xffffu, 0x505ffffu, 0xf0fffffu, 0x5f5fffffu, 0xffffffffu);
+const uint block_upto_y[5] = uint[5](0x0u, 0x330033u, 0xff00ffu, 0x33ff33ffu, 0xffffffffu);
+uint block_mask(ivec2 a, ivec2 b) {
+  return block_upto_x[b.x + 1] & ~block_upto_x[a.x] & block_upto_y[b.y + 1] & ~block_upto_y[a.y];
+}
+
+// Where a slot stands in the pool, in pages: blocks of slots along the Z curve, so that a block of pages can be one there too.
+uvec2 slot_place(uint slot) {
+  uint block = slot / block_pages, row = paged.pool_width / 8u;
+  return uvec2(block % row * 8u, block / row * 4u) + z_curve_place(slot % block_pages);
 }
 
 // The level of the pages in a word of one face.

@@ -10,6 +10,7 @@ using glm::uvec3;
 #endif
 
 const uint page_texels = 32, max_page_levels = 13;
+const uint block_pages = 32;  // 8 x 4 pages: a word of a bitmask
 
 const uint lod_area = 0, lod_box = 1, lod_axis = 2;
 
@@ -30,33 +31,42 @@ struct PagedConstants {
   float near[6];          // the least w of a caster, by face
 };
 
-/// What a frame finds out on the device, and what it keeps for the next.
-struct PageState {
-  uint finest;        // of the pages drawn: coarser than asked for when the pool is full
-  uint pages;         // needed
-  uint pages_drawn;   // of those, in this frame
-  uint flushed;       // 1: nothing of earlier frames was kept
-  uint first_slot;    // of the pages new in this frame
-  uint raw_requests;  // pixels that asked
-  uint visible_clusters;
-  uvec3 bin_groups;   // VkDispatchIndirectCommand
-  uint vertex_count;  // VkDrawIndirectCommand
+/// VkDrawIndirectCommand.
+struct DrawArrays {
+  uint vertex_count;
   uint instance_count;
   uint first_vertex;
   uint first_instance;
-  uint wanted_vertices;                // more than vertex_count when the triangles did not fit
+};
+
+/// How a pair is drawn. It covers no texel's centre outside of its unit; or it does, but its fragments there are few
+/// enough to be thrown away; or it is clipped at the unit's border, which costs several times what drawing does.
+const uint pair_inner = 0, pair_small = 1, pair_clipped = 2, pair_kinds = 3;
+
+/// What a frame finds out on the device, and what it keeps for the next.
+struct PageState {
+  uint finest;       // of the pages drawn: coarser than asked for when the pool is full
+  uint pages;        // needed
+  uint block_least;  // a block of which so many pages are needed gets all of them
+  uint pages_drawn;  // of those, in this frame
+  uint flushed;      // 1: nothing of earlier frames was kept
+  uint first_slot;   // of what is new in this frame: blocks, then single pages
+  uint new_blocks, new_singles;
+  uint raw_requests;  // pixels that asked
+  uint visible_clusters;
+  uvec3 bin_groups;  // VkDispatchIndirectCommand
+  DrawArrays draws[pair_kinds];
   uint late_clusters;                  // whose triangles did not: the next round draws them
+  uint triangles, late_triangles;      // of the clusters of this round, and of the late ones
   uint pairs;                          // drawn in all rounds
   uint taps, coarser_taps, lost_taps;  // of statistics=on: asked, answered by a coarser page, by none
   uint used_texels;
-  uint clear_vertex_count;  // VkDrawIndirectCommand
-  uint clear_instance_count;
-  uint clear_first_vertex;
-  uint clear_first_instance;
+  DrawArrays clear;
   uint requested[max_page_levels];           // pages asked for, by level
   uint requested_or_finer[max_page_levels];  // pages that were asked for or hold one that was
   uint fresh[max_page_levels];               // of each, those without a slot
   uint fresh_or_finer[max_page_levels];
+  uint blocks_with[block_pages + 1];  // blocks without any slot, by how many of their pages are asked for
   // Kept from frame to frame.
   uint epoch;  // of the table's entries that count
   uint slots;  // taken
@@ -68,14 +78,13 @@ struct PageCluster {
   uint cluster;
   uint instance;
   uint face;
-  uint levels;  // bit l: may touch pages of level l
+  uint levels;          // bit l: may touch pages of level l
+  uint first_triangle;  // where its triangles' corners stand in this round
 };
 
-/// A triangle's corner as a page draws it.
-struct PageVertex {
-  vec3 position;  // clip space of the pool
-  uint slot;      // of the page in the pool
-};
+/// What is drawn as one: a page, or a whole block of pages that are neighbours in the pool too: its first slot, and
+/// this.
+const uint unit_block = 0x10000u;
 
 /// World bounds in which casters have changed.
 struct ChangedBox {
@@ -85,7 +94,8 @@ struct ChangedBox {
 struct BinConstants {
   uint cluster_count;
   uint cluster_capacity;
-  uint vertex_capacity;
+  uint first_pair[pair_kinds + 1];  // room for each kind
+  uint triangle_capacity;
   uint round;
   uint kinds;  // render::InstanceFilter
 };
