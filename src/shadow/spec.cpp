@@ -77,8 +77,9 @@ const std::vector<SpecKey>& all_keys() {
       choice_key("statistics", "paged", {"off", "on"},
                  "also count how the filter's taps are answered and how much of the pages they read"),
       choice_key(
-          "lod", "paged", {"area", "box", "axis"},
-          "a pixel's size in the map: its area (RMSM equation 1), its longer side, or its ellipse's smaller axis"),
+          "lod", "paged", {"bounded", "area", "box", "axis"},
+          "a pixel's size in the map: its area (RMSM equation 1), its longer side, its ellipse's smaller axis, or its "
+          "area bounded by twice that axis"),
       choice_key("analysis", "rectilinear", {"backward", "forward", "hybrid"},
                  "importance from the camera's buffers, from a depth image of the light's, or from both"),
       choice_key("dv", "rectilinear", {"on", "off"}, "importance: only what the camera sees counts"),

@@ -7,6 +7,14 @@ float trilinear_level(vec3 world, vec4 plane, uint level) {
   if (!p.valid) return 1.0;
   vec2 corner = p.uv / p.texel - 0.5;
   vec2 first = floor(corner), weight = corner - first;
+  vec3 at;
+  if (map_quad(p, first, at)) {
+    // As textureGather has them: (left bottom, right bottom, right top, left top).
+    vec2 slope = p.gradient * p.texel;
+    vec4 threshold = map_threshold(p) + (vec4(0, 1, 1, 0) - weight.x) * slope.x + (vec4(1, 1, 0, 0) - weight.y) * slope.y;
+    vec4 lit = storage_gather(at, threshold);
+    return dot(mix(vec2(lit.w, lit.x), vec2(lit.z, lit.y), weight.x), vec2(1.0 - weight.y, weight.y));
+  }
   float lit = 0.0;
   for (int k = 0; k < 4; ++k) {
     vec2 step = vec2(k & 1, k >> 1);

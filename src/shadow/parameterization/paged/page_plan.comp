@@ -38,7 +38,7 @@ void main() {
   // Blocks are drawn as one, which is worth some pages that nobody asked for as long as the pool has room (and slots before the
   // first block, which stands on a whole block's place). What was counted holds unless levels were dropped or the pool emptied
   // for want of room.
-  const uint worth = 8;
+  const uint worth = 16;
   bool counted = finest == paged.finest && (!flush || paged.flush != 0);
   uint room = paged.pool_pages - state.slots - fresh;
   state.block_least = block_pages + 1;

@@ -48,7 +48,8 @@ double border_texels(const Spec& spec) {
 
 uint32_t lod(const std::string& name) {
   if (name == "box") return shared::lod_box;
-  return name == "axis" ? shared::lod_axis : shared::lod_area;
+  if (name == "axis") return shared::lod_axis;
+  return name == "area" ? shared::lod_area : shared::lod_bounded;
 }
 
 }  // namespace

@@ -67,10 +67,11 @@ float map_level(vec3 world, vec4 plane) {
   float area = abs(dx.x * dy.y - dx.y * dy.x);
   float texels = sqrt(area);
   if (paged.lod == lod_box) texels = max(length(dx), length(dy));
-  if (paged.lod == lod_axis) {
+  if (paged.lod == lod_axis || paged.lod == lod_bounded) {
     // The smaller singular value of (dX dY): s1 s2 = area, s1^2 + s2^2 = |dX|^2 + |dY|^2.
     float sum = dot(dx, dx) + dot(dy, dy);
-    texels = sqrt(max(0.0, 0.5 * (sum - sqrt(max(0.0, sum * sum - 4.0 * area * area)))));
+    float axis = sqrt(max(0.0, 0.5 * (sum - sqrt(max(0.0, sum * sum - 4.0 * area * area)))));
+    texels = paged.lod == lod_axis ? axis : min(texels, 2.0 * axis);
   }
   float level = texels > 0.0 ? log2(texels) : 0.0;
   return clamp(level, float(max(paged.finest, page_state.finest)), float(paged.top));
@@ -126,6 +127,14 @@ bool map_fetch(MapPoint p, ivec2 offset, out ivec3 address) {
   }
   address = ivec3(ivec2(slot_place(slot) * page_texels) + (texel & int(page_texels - 1u)), 0);
   return true;
+}
+
+// Where the pool holds the corner between the texels `first` and `first` + 1 of p's level; false unless all four lie on p's page.
+bool map_quad(MapPoint p, vec2 first, out vec3 at) {
+  vec2 page = floor(p.uv / p.texel / float(page_texels)) * float(page_texels);
+  vec2 within = first - page;
+  at = vec3((vec2(slot_place(point_slot(p)) * page_texels) + within + 1.0) / float(paged.pool_width * page_texels), 0.0);
+  return all(greaterThanEqual(within, vec2(0.0))) && all(lessThan(within, vec2(page_texels - 1u)));
 }
 
 Ray map_ray(MapPoint p, vec2 uv) {

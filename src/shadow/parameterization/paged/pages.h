@@ -12,7 +12,7 @@ using glm::uvec3;
 const uint page_texels = 32, max_page_levels = 13;
 const uint block_pages = 32;  // 8 x 4 pages: a word of a bitmask
 
-const uint lod_area = 0, lod_box = 1, lod_axis = 2;
+const uint lod_area = 0, lod_box = 1, lod_axis = 2, lod_bounded = 3;
 
 /// What stays the same during a frame. Level 0 is the finest; level `top` has one page.
 struct PagedConstants {

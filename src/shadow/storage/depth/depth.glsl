@@ -9,6 +9,12 @@ float storage_visible(MapPoint p) {
   return occluder < min(map_threshold(p), 1.0) ? 0.0 : 1.0;
 }
 
+// The four texels around the texel corner at `at` of the image, in textureGather's order. `thresholds` are the depths below which an
+// occluder counts.
+vec4 storage_gather(vec3 at, vec4 thresholds) {
+  return vec4(greaterThanEqual(textureGather(depth_map, at), min(thresholds, 1.0)));
+}
+
 #ifdef MAP_CONTIGUOUS
 // The four texels around the texel corner at p.uv: (left bottom, right bottom, right top, left top), as textureGather has them.
 // `thresholds` are the depths below which an occluder counts, in that order.
