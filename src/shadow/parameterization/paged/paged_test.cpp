@@ -122,6 +122,39 @@ TEST_F(PagedTest, KeptPagesFollowWhatMoves) {
   }
 }
 
+/// The camera flies from one view to the other; the sun moves in the first half of the frames and rests in the second.
+TEST_F(PagedTest, ServesEveryRequestOfAFlight) {
+  for (const auto& flight : {std::pair("furball", 16u), std::pair("characters", 120u)}) {
+    const uint32_t frames = flight.second;
+    SCOPED_TRACE(flight.first);
+    const Scene scene = make_builtin(flight.first);
+    const Camera &from = scene.cameras.front(), &to = scene.cameras.back();
+    std::vector<Moment> moments;
+    for (uint32_t i = 0; i < frames; ++i) {
+      const double along = i / (frames - 1.0);
+      Camera camera = from;
+      camera.eye = glm::mix(from.eye, to.eye, along);
+      camera.target = glm::mix(from.target, to.target, along);
+      const double turn = std::min(i, frames / 2);
+      moments.push_back({i / 30.0, camera, sun(40 + 0.5 * turn, 35 + 0.2 * turn)});
+    }
+    PathStudy study(device(), scene, "flight", moments, {96, 64, 0, 0, false});
+    double rested = 0;
+    study.run(std::vector{shadow::parse_spec("rmsm@8192,cache=on,statistics=on")}, {},
+              [&](uint32_t frame, std::span<const Outcome> outcomes) {
+                SCOPED_TRACE(frame);
+                const TechniqueResult& result = outcomes.front().result;
+                EXPECT_GT(counter(result, "taps"), 0);
+                EXPECT_EQ(counter(result, "coarser_taps"), 0);
+                EXPECT_EQ(counter(result, "unserved_taps"), 0);
+                EXPECT_EQ(counter(result, "dropped_levels"), 0);
+                EXPECT_EQ(counter(result, "clusters_not_drawn"), 0);
+                if (frame > frames / 2) rested += counter(result, "pages_drawn") / counter(result, "pages");
+              });
+    EXPECT_LT(rested / (frames / 2), 0.9);  // most pages are kept where only the camera moves
+  }
+}
+
 /// Refinement along edges asks for fewer pages, in several rounds.
 TEST_F(PagedTest, RefinesEdges) {
   const Scene scene = make_builtin("city");
