@@ -142,7 +142,7 @@ BenchTable quality_table(Bench& bench) {
       {}};
   const Scene scene = make_builtin("trees");
   const std::vector<std::string> specs{"sm@2048",    "rmsm@8192",   "rmsm@16384",
-                                       "rmsm@32768", "rmsm@131072", "rmsm,lod=axis"};
+                                       "rmsm@32768", "rmsm@131072", "rmsm,lod=area", "rmsm,lod=axis"};
   const Outcomes o = run(bench, scene, "under", specs, "trees finest", table);
   for (size_t i = 0; i < specs.size(); ++i)
     table.rows.push_back({specs[i], milliseconds(o[i], o[0]), i == 0 ? "-" : whole(counter(o[i], "pages")),

@@ -74,6 +74,9 @@ const std::vector<SpecKey>& all_keys() {
           "refine", "paged", {"none", "edges"},
           "none: draw what each pixel asks for (RMSM); edges: start coarse and refine shadow edges until no pixel "
           "asks for more (ASM)"),
+      choice_key("requests", "paged", {"bits", "sort"},
+                 "bits: pixels mark pages in a bitmask; sort: RMSM's list of requests, made unique by connected "
+                 "components, compaction, sort and compaction"),
       choice_key("statistics", "paged", {"off", "on"},
                  "also count how the filter's taps are answered and how much of the pages they read"),
       choice_key(

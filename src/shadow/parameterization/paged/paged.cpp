@@ -61,6 +61,7 @@ Paged::Paged(const gpu::Device& device, const Spec& spec, const TechniqueOptions
       pool_texels_(static_cast<uint32_t>(spec.number("pool"))),
       cached_(spec.choice("cache") == "on"),
       edges_(spec.choice("refine") == "edges"),
+      sorted_(spec.choice("requests") == "sort"),
       changes_(device, options.frames_in_flight) {
   if (!std::has_single_bit(spec.resolution))
     throw InputError(spec.text, "a paged map's resolution is a power of two", "give 1024, 2048, ... 131072");
@@ -68,6 +69,8 @@ Paged::Paged(const gpu::Device& device, const Spec& spec, const TechniqueOptions
     throw InputError(spec.text, "the pool is no multiple of a block's 256 texels", "give 1024, 2048, 4096, ...");
   if (edges_ && spec.storage != "depth")
     throw InputError(spec.text, "edges are found in depths alone", "leave refine=edges out");
+  if (edges_ && sorted_)
+    throw InputError(spec.text, "refinement marks its requests as bits", "leave requests=sort or refine=edges out");
   top_ = static_cast<uint32_t>(std::countr_zero(spec.resolution / shared::page_texels));
   words_ = words_of(top_);
   for (uint32_t i = 0; i < frames_in_flight_; ++i) {
@@ -117,6 +120,7 @@ void Paged::make_tables(LightKind light) {
   emptied_ = gpu::Buffer(device_, "emptied pages", pool_pages * sizeof(uint32_t));
   table_is_void_ = true;
   scan_ = gpu::Scan(device_, words);
+  list_ = {};
   requests_pass_ = {};
 }
 
@@ -211,6 +215,7 @@ std::vector<gpu::Binding> Paged::lookup_bindings(uint32_t slot) const {
 
 void Paged::refine(const Frame& frame, const ReceiverLookup& lookup, gpu::Recorder& recorder,
                    const std::function<void()>& draw) {
+  if (sorted_) find_list(frame, lookup, recorder);
   if (!edges_) return;
   iterations_ = raw_requests_ = pages_drawn_ = 0;
   const auto& result = results_[slot_].mapped<shared::PageState>()[0];
@@ -233,6 +238,15 @@ void Paged::refine(const Frame& frame, const ReceiverLookup& lookup, gpu::Record
   } while (++iterations_ < max_iterations && (iterations_ == 1 || result.pages_drawn > 0));
 }
 
+void Paged::find_list(const Frame& frame, const ReceiverLookup& lookup, gpu::Recorder& recorder) {
+  make_passes(lookup.layout);
+  if (!list_)
+    list_ = RequestList(device_, frame.camera.width, frame.camera.height, spec_.filter == "trilinear" ? 2 : 1,
+                        words_ * 32 * faces_, lookup.layout, faces_ == 6);
+  recorder.stage("page requests", [&](const vk::raii::CommandBuffer& commands) { empty_requests(commands); });
+  list_.find(lookup, {requested_, requested_or_finer_, state_}, recorder);
+}
+
 void Paged::record_seed(const vk::raii::CommandBuffer& commands) const {
   for (uint32_t face = 0; face < faces_; ++face) {
     const auto fill = [&](const gpu::Buffer& mask, uint32_t first, uint32_t count, uint32_t bits) {
@@ -252,8 +266,12 @@ void Paged::record(const Frame& frame, const ReceiverLookup& lookup, gpu::Record
   make_passes(lookup.layout);
   // Pages that refinement has drawn need no requests.
   recorder.stage("page requests", [&](const vk::raii::CommandBuffer& commands) {
-    empty_requests(commands);
-    if (!edges_) dispatch_pixels(requests_pass_, frame, lookup, commands);
+    if (sorted_) {
+      list_.mark(commands, constants_[slot_], {requested_, requested_or_finer_, state_});
+    } else {
+      empty_requests(commands);
+      if (!edges_) dispatch_pixels(requests_pass_, frame, lookup, commands);
+    }
   });
   if (!edges_)
     recorder.stage("page allocation",
@@ -361,6 +379,10 @@ Counters Paged::counters() const {
                     {"dropped_levels", number(state.finest)},
                     {"triangle_page_pairs", number(state.pairs)},
                     {"clusters_not_drawn", number(state.late_clusters)}};
+  if (sorted_) {
+    counters["compacted_requests"] = number(list_.compacted());
+    counters["sorted_unique_requests"] = number(list_.unique());
+  }
   if (edges_) {
     counters["iterations"] = number(iterations_);
     counters["raw_requests"] = number(raw_requests_);
@@ -406,6 +428,8 @@ std::vector<Allocation> Paged::allocations() const {
       result.push_back(buffer->allocation());
   for (const auto* buffers : {&constants_, &results_})
     for (const auto& buffer : *buffers) result.push_back(buffer.allocation());
+  if (list_)
+    for (auto& allocation : list_.allocations()) result.push_back(std::move(allocation));
   if (used_) result.push_back(used_.allocation());
   for (auto& allocation : changes_.allocations()) result.push_back(std::move(allocation));
   return result;

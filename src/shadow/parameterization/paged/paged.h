@@ -19,6 +19,7 @@
 #include "gpu/scan.h"
 #include "shadow/parameterization/paged/caster_changes.h"
 #include "shadow/parameterization/paged/pages.h"
+#include "shadow/parameterization/paged/request_list.h"
 #include "shadow/parameterization/parameterization.h"
 #include "shadow/parameterization/uniform/fit.h"
 
@@ -30,7 +31,10 @@ class Paged final : public Parameterization {
   Paged(const gpu::Device& device, const Spec& spec, const TechniqueOptions& options);
 
   Traits traits() const override {
-    return {.contiguous = false, .gpu_driven = true, .needs_readback = edges_, .without_readback = "refine=none"};
+    return {.contiguous = false,
+            .gpu_driven = true,
+            .needs_readback = edges_ || sorted_,
+            .without_readback = "choose refine=none and requests=bits"};
   }
   uint32_t max_views() const override { return 6; }
   MapExtent map_extent(LightKind light) const override;
@@ -68,6 +72,8 @@ class Paged final : public Parameterization {
   bool fits(const Frame& frame) const;
   void write_constants(const Frame& frame);
   void make_passes(vk::DescriptorSetLayout lookup_layout);
+  /// Finds the requests of requests=sort.
+  void find_list(const Frame& frame, const ReceiverLookup& lookup, gpu::Recorder& recorder);
   void empty_requests(const vk::raii::CommandBuffer& commands);
   /// Asks for all pages of the level that refinement starts from.
   void record_seed(const vk::raii::CommandBuffer& commands) const;
@@ -80,7 +86,7 @@ class Paged final : public Parameterization {
   const gpu::Device& device_;
   Spec spec_;
   uint32_t frames_in_flight_, pool_texels_, top_ = 0, words_ = 0, faces_ = 0;
-  bool cached_, edges_;
+  bool cached_, edges_, sorted_;
   uint32_t iterations_ = 0, raw_requests_ = 0, pages_drawn_ = 0;  ///< of refine=edges, in the last frame
   CasterChanges changes_;
   bool table_is_void_ = true, new_fit_ = true;
@@ -89,6 +95,7 @@ class Paged final : public Parameterization {
   std::vector<Box> held_;                 ///< what each view holds, see receiver_bounds
   gpu::ComputePass requests_pass_, edges_pass_, levels_pass_, plan_pass_, counts_pass_, allocate_pass_,
       statistics_pass_, invalidate_pass_;
+  RequestList list_;  ///< of requests=sort
   gpu::Scan scan_;
   std::vector<gpu::Buffer> constants_, results_;  ///< by slot: host-written, host-read
   uint32_t slot_ = 0;

@@ -39,6 +39,24 @@ TEST_F(PagedTest, ShadowsAreRightUpToAPixel) {
   }
 }
 
+/// The paper's list of requests, sorted and made unique, names the pages that the bitmask does.
+TEST_F(PagedTest, SortedRequestsAskForTheSamePages) {
+  const Scene scene = make_builtin("furball");
+  Study study(device(), scene, scene.cameras.back(), scene.lights.front(), small());
+  for (const std::string spec : {"rmsm", "paged/depth/hard"}) {
+    SCOPED_TRACE(spec);
+    const Outcome bits = study.run(shadow::parse_spec(spec)),
+                  sorted = study.run(shadow::parse_spec(spec + ",requests=sort"));
+    const double unique = counter(bits.result, "unique_requests");
+    EXPECT_EQ(counter(sorted.result, "unique_requests"), unique);
+    EXPECT_EQ(counter(sorted.result, "sorted_unique_requests"), unique);
+    EXPECT_EQ(counter(sorted.result, "raw_requests"), counter(bits.result, "raw_requests"));
+    EXPECT_GT(counter(sorted.result, "compacted_requests"), unique);
+    EXPECT_LT(counter(sorted.result, "compacted_requests"), counter(bits.result, "raw_requests"));
+    EXPECT_EQ(sorted.visibility, bits.visibility);
+  }
+}
+
 /// A pool that can't hold what is asked for makes everything coarser, and nothing wrong.
 TEST_F(PagedTest, AFullPoolDropsTheFinestLevels) {
   const Scene scene = make_builtin("furball");

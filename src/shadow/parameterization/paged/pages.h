@@ -52,7 +52,8 @@ struct PageState {
   uint flushed;      // 1: nothing of earlier frames was kept
   uint first_slot;   // of what is new in this frame: blocks, then single pages
   uint new_blocks, new_singles;
-  uint raw_requests;  // pixels that asked
+  uint raw_requests;     // pixels that asked
+  uint border_requests;  // of requests=sort: further pages that filters reach
   uint visible_clusters;
   uvec3 bin_groups;  // VkDispatchIndirectCommand
   DrawArrays draws[pair_kinds];
