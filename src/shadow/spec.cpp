@@ -67,6 +67,8 @@ const std::vector<SpecKey>& all_keys() {
           "of psm: the eye moves back to where texels are smallest in the image, or as little as the paper asks"),
       choice_key("fit", "perspective", {"visible", "view"},
                  "what receives: this frame's surface points, or without waiting what the camera's frustum holds"),
+      whole_key("finest", "paged", 1024, 131072, "131072",
+                "texels per axis of the finest level that may be asked for: less costs less and shows less"),
       whole_key("pool", "paged", 1024, 8192, "4096", "texels per axis of the image that holds the pages"),
       choice_key("cache", "paged", {"off", "on"},
                  "keep pages from frame to frame and draw only what is new, or touched by a caster that moved"),

@@ -72,6 +72,11 @@ Paged::Paged(const gpu::Device& device, const Spec& spec, const TechniqueOptions
   if (edges_ && sorted_)
     throw InputError(spec.text, "refinement marks its requests as bits", "leave requests=sort or refine=edges out");
   top_ = static_cast<uint32_t>(std::countr_zero(spec.resolution / shared::page_texels));
+  const auto finest = static_cast<uint32_t>(spec.number("finest"));
+  if (!std::has_single_bit(finest))
+    throw InputError(spec.text, "the finest level's resolution is a power of two",
+                     "give finest=8192, 16384, 32768, ...");
+  finest_ = finest < spec.resolution ? static_cast<uint32_t>(std::countr_zero(spec.resolution / finest)) : 0;
   words_ = words_of(top_);
   for (uint32_t i = 0; i < frames_in_flight_; ++i) {
     constants_.emplace_back(device, "page constants", sizeof(shared::PagedConstants), gpu::HostAccess::write);
@@ -178,7 +183,7 @@ void Paged::write_constants(const Frame& frame) {
   const glm::dvec3 w(camera.clip_from_world[0].w, camera.clip_from_world[1].w, camera.clip_from_world[2].w);
   constants.view_axis = glm::vec3(w / glm::dot(w, ray));
   constants.top = top_;
-  constants.finest = 0;
+  constants.finest = finest_;
   constants.faces = static_cast<uint32_t>(views_.size());
   constants.words = words_;
   constants.pool_width = pool_texels_ / shared::page_texels;
@@ -376,7 +381,7 @@ Counters Paged::counters() const {
                     {"pages", number(state.pages)},
                     {"pages_drawn", number(state.pages_drawn)},
                     {"flushes", number(state.flushes)},
-                    {"dropped_levels", number(state.finest)},
+                    {"dropped_levels", number(state.finest - std::min(state.finest, finest_))},
                     {"triangle_page_pairs", number(state.pairs)},
                     {"clusters_not_drawn", number(state.late_clusters)}};
   if (sorted_) {

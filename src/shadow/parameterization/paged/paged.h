@@ -85,7 +85,7 @@ class Paged final : public Parameterization {
 
   const gpu::Device& device_;
   Spec spec_;
-  uint32_t frames_in_flight_, pool_texels_, top_ = 0, words_ = 0, faces_ = 0;
+  uint32_t frames_in_flight_, pool_texels_, top_ = 0, finest_ = 0, words_ = 0, faces_ = 0;
   bool cached_, edges_, sorted_;
   uint32_t iterations_ = 0, raw_requests_ = 0, pages_drawn_ = 0;  ///< of refine=edges, in the last frame
   CasterChanges changes_;

@@ -69,6 +69,19 @@ TEST_F(PagedTest, AFullPoolDropsTheFinestLevels) {
   EXPECT_LE(*full.error.oracle_fraction, 5e-4);
 }
 
+/// A bound on the finest level takes fewer pages, and every request is still served.
+TEST_F(PagedTest, AsksForNothingFinerThanTold) {
+  const Scene scene = make_builtin("furball");
+  Study study(device(), scene, scene.cameras.front(), scene.lights.front(), small());
+  const TechniqueResult all = run(study, "rmsm,statistics=on"), bounded = run(study, "rmsm,finest=4096,statistics=on");
+  EXPECT_LT(counter(bounded, "pages"), 0.8 * counter(all, "pages"));
+  EXPECT_EQ(counter(bounded, "effective_resolution"), 4096);
+  EXPECT_GT(bounded.error.wrong, all.error.wrong);
+  for (const char* name : {"coarser_taps", "unserved_taps", "dropped_levels"})
+    EXPECT_EQ(counter(bounded, name), 0) << name;
+  EXPECT_THROW(run(study, "rmsm,finest=5000"), InputError);
+}
+
 TEST_F(PagedTest, ServesSpotAndPointLights) {
   const Scene scene = make_builtin("sandbox");
   Light lamp;
