@@ -67,6 +67,9 @@ const std::vector<SpecKey>& all_keys() {
           "of psm: the eye moves back to where texels are smallest in the image, or as little as the paper asks"),
       choice_key("fit", "perspective", {"visible", "view"},
                  "what receives: this frame's surface points, or without waiting what the camera's frustum holds"),
+      choice_key("analysis_scale", "paged", {"1", "2", "4", "8"},
+                 "requests come from every so many pixels along each axis; what they miss, a backup of 1,024 texels "
+                 "serves, or a coarser page that is there"),
       whole_key("finest", "paged", 1024, 131072, "131072",
                 "texels per axis of the finest level that may be asked for: less costs less and shows less"),
       whole_key("pool", "paged", 1024, 8192, "4096", "texels per axis of the image that holds the pages"),

@@ -35,6 +35,6 @@ void main() {
   MapPoint p = map_point_at(r.world, plane, level);
   if (!p.valid || point_level(p) <= level || !on_edge(p)) return;
   atomicAdd(state.raw_requests, 1);
-  for (uint l = level; l < min(level + paged.footprint_levels, paged.top + 1); ++l)
+  for (uint l = level; l < min(level + paged.footprint_levels, paged.coarsest + 1); ++l)
     request_level(p, point_face(p), l);
 }

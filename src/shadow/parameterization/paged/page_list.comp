@@ -25,7 +25,7 @@ void main() {
   uint face = paged_face(r.world), level = uint(map_level(r.world, plane));
   vec2 uv = paged_uv(r.world, face);
   atomicAdd(state.raw_requests, 1);
-  for (uint i = 0; i < paged.footprint_levels && level + i <= paged.top; ++i) {
+  for (uint i = 0; i < paged.footprint_levels && level + i <= paged.coarsest; ++i) {
     float size = level_size(level + i);
     vec2 low = floor(uv * size - paged.footprint), high = floor(uv * size + paged.footprint);
     uvec2 a = uvec2(clamp(low, vec2(0.0), vec2(size - 1.0))) / page_texels, b = uvec2(clamp(high, vec2(0.0), vec2(size - 1.0))) / page_texels;

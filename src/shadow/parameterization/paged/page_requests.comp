@@ -18,14 +18,14 @@ shared uint group_requests;
 void main() {
   if (gl_LocalInvocationIndex == 0) group_requests = 0;
   barrier();
-  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy * paged.analysis_scale);
   if (all(lessThan(pixel, ivec2(camera.size)))) {
     Receiver r = receiver_at(pixel);
     if (r.facing) {
       vec4 plane = vec4(r.normal, -dot(r.normal, r.world));
       uint face = paged_face(r.world), level = uint(map_level(r.world, plane));
       MapPoint p = map_project(map_views[face], 0, r.world, plane, vec2(0.0));
-      for (uint l = level; l < min(level + paged.footprint_levels, paged.top + 1); ++l) request_level(p, face, l);
+      for (uint l = level; l < min(level + paged.footprint_levels, paged.coarsest + 1); ++l) request_level(p, face, l);
       atomicAdd(group_requests, 1);
     }
   }

@@ -43,7 +43,7 @@ void main() {
     if (r.facing) {
       vec4 plane = vec4(r.normal, -dot(r.normal, r.world));
       uint level = uint(map_level(r.world, plane));
-      for (uint l = level; l < min(level + paged.footprint_levels, paged.top + 1); ++l) count_level(r.world, plane, l);
+      for (uint l = level; l < min(level + paged.footprint_levels, paged.coarsest + 1); ++l) count_level(r.world, plane, l);
     }
   }
   barrier();

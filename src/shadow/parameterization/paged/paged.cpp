@@ -23,6 +23,7 @@ namespace {
 
 /// Refinement that has not come to rest by then is cut short; the paper's is not guaranteed to.
 constexpr uint32_t max_iterations = 64;
+constexpr uint32_t seed = 5;           // a level of 4^5 pages, 1,024^2 texels, from which refinement starts
 constexpr uint32_t epochs = 1u << 11;  // the table's entries tell so many apart, see paged.glsl
 
 uint32_t words_of(uint32_t top) {
@@ -72,6 +73,9 @@ Paged::Paged(const gpu::Device& device, const Spec& spec, const TechniqueOptions
   if (edges_ && sorted_)
     throw InputError(spec.text, "refinement marks its requests as bits", "leave requests=sort or refine=edges out");
   top_ = static_cast<uint32_t>(std::countr_zero(spec.resolution / shared::page_texels));
+  analysis_scale_ = static_cast<uint32_t>(std::stoul(spec.choice("analysis_scale")));
+  if (analysis_scale_ > 1 && (edges_ || sorted_))
+    throw InputError(spec.text, "only requests=bits without refinement may leave pixels out", "give analysis_scale=1");
   const auto finest = static_cast<uint32_t>(spec.number("finest"));
   if (!std::has_single_bit(finest))
     throw InputError(spec.text, "the finest level's resolution is a power of two",
@@ -184,6 +188,7 @@ void Paged::write_constants(const Frame& frame) {
   constants.view_axis = glm::vec3(w / glm::dot(w, ray));
   constants.top = top_;
   constants.finest = finest_;
+  constants.coarsest = edges_ || analysis_scale_ > 1 ? top_ - seed : top_;
   constants.faces = static_cast<uint32_t>(views_.size());
   constants.words = words_;
   constants.pool_width = pool_texels_ / shared::page_texels;
@@ -192,6 +197,7 @@ void Paged::write_constants(const Frame& frame) {
   table_is_void_ |= results_[slot_].mapped<shared::PageState>()[0].epoch + 2 * frames_in_flight_ >= epochs;
   constants.flush = !cached_ || new_fit_ || table_is_void_ ? 1 : 0;
   new_fit_ = false;
+  constants.analysis_scale = analysis_scale_;
   constants.lod = lod(spec_.choice("lod"));
   const bool trilinear = spec_.filter == "trilinear";
   constants.footprint = trilinear ? 0.5f : 0.0f;
@@ -258,7 +264,6 @@ void Paged::record_seed(const vk::raii::CommandBuffer& commands) const {
       commands.fillBuffer(mask.handle(), (uint64_t{face} * words_ + first) * sizeof(uint32_t), count * sizeof(uint32_t),
                           bits);
     };
-    constexpr uint32_t seed = 5;  // 4^5 pages: 1,024^2 texels
     fill(requested_, words_of(seed - 1), words_of(seed) - words_of(seed - 1), ~0u);
     fill(requested_or_finer_, 0, 1, 0x1);
     fill(requested_or_finer_, 1, 1, 0xf);
@@ -275,6 +280,10 @@ void Paged::record(const Frame& frame, const ReceiverLookup& lookup, gpu::Record
       list_.mark(commands, constants_[slot_], {requested_, requested_or_finer_, state_});
     } else {
       empty_requests(commands);
+      if (analysis_scale_ > 1) {
+        record_seed(commands);
+        gpu::memory_barrier(commands);
+      }
       if (!edges_) dispatch_pixels(requests_pass_, frame, lookup, commands);
     }
   });

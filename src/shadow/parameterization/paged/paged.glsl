@@ -74,7 +74,8 @@ float map_level(vec3 world, vec4 plane) {
     texels = paged.lod == lod_axis ? axis : min(texels, 2.0 * axis);
   }
   float level = texels > 0.0 ? log2(texels) : 0.0;
-  return clamp(level, float(max(paged.finest, page_state.finest)), float(paged.top));
+  float finest = float(max(paged.finest, page_state.finest));
+  return clamp(level, finest, max(finest, float(paged.coarsest)));
 }
 
 // The finest page at `level` or above answers for `world`, through a face that holds it.

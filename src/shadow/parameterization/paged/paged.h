@@ -75,7 +75,7 @@ class Paged final : public Parameterization {
   /// Finds the requests of requests=sort.
   void find_list(const Frame& frame, const ReceiverLookup& lookup, gpu::Recorder& recorder);
   void empty_requests(const vk::raii::CommandBuffer& commands);
-  /// Asks for all pages of the level that refinement starts from.
+  /// Asks for all pages of the level that refinement starts from, and that serves what a coarser analysis misses.
   void record_seed(const vk::raii::CommandBuffer& commands) const;
   /// Dispatches a pass over the camera's pixels that requests pages.
   void dispatch_pixels(const gpu::ComputePass& pass, const Frame& frame, const ReceiverLookup& lookup,
@@ -85,7 +85,7 @@ class Paged final : public Parameterization {
 
   const gpu::Device& device_;
   Spec spec_;
-  uint32_t frames_in_flight_, pool_texels_, top_ = 0, finest_ = 0, words_ = 0, faces_ = 0;
+  uint32_t frames_in_flight_, pool_texels_, top_ = 0, finest_ = 0, analysis_scale_ = 1, words_ = 0, faces_ = 0;
   bool cached_, edges_, sorted_;
   uint32_t iterations_ = 0, raw_requests_ = 0, pages_drawn_ = 0;  ///< of refine=edges, in the last frame
   CasterChanges changes_;

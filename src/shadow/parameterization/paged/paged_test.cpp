@@ -82,6 +82,19 @@ TEST_F(PagedTest, AsksForNothingFinerThanTold) {
   EXPECT_THROW(run(study, "rmsm,finest=5000"), InputError);
 }
 
+/// Where pixels are left out of the analysis, coarser pages answer for the few that nobody asked for.
+TEST_F(PagedTest, ACoarserAnalysisMissesLittle) {
+  const Scene scene = make_builtin("furball");
+  Study study(device(), scene, scene.cameras.front(), scene.lights.front(), small());
+  const TechniqueResult all = run(study, "rmsm,statistics=on"),
+                        some = run(study, "rmsm,analysis_scale=4,statistics=on");
+  EXPECT_NEAR(counter(some, "raw_requests"), counter(all, "raw_requests") / 16, 0.01 * counter(all, "raw_requests"));
+  EXPECT_EQ(counter(some, "unserved_taps"), 0);
+  EXPECT_GT(counter(some, "coarser_taps"), 0);
+  EXPECT_LT(counter(some, "coarser_taps"), 0.05 * counter(some, "taps"));
+  EXPECT_LE(static_cast<double>(some.error.wrong), 1.1 * static_cast<double>(all.error.wrong));
+}
+
 TEST_F(PagedTest, ServesSpotAndPointLights) {
   const Scene scene = make_builtin("sandbox");
   Light lamp;

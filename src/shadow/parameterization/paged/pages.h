@@ -20,12 +20,14 @@ struct PagedConstants {
   vec3 view_axis;         // view depth = dot(view_axis, world - eye)
   uint top;
   uint finest;      // levels below are not asked for
+  uint coarsest;    // nor those above: where all pages of this one are there, none of them is
   uint faces;       // 1, or 6 of a point light
   uint words;       // of 32 pages, of one face
   uint pool_width;  // pages
   uint pool_pages;
   uint flush;  // 1: nothing kept from earlier frames counts
   uint lod;
+  uint analysis_scale;    // pixels from one that asks to the next
   float footprint;        // half width of what a filter asks, texels
   uint footprint_levels;  // 1, or 2: the next coarser level too
   float near[6];          // the least w of a caster, by face
