@@ -7,10 +7,13 @@ vec2 octahedral_encode(vec3 n) {
   return n.z >= 0.0 ? p : (1.0 - abs(p.yx)) * vec2(p.x >= 0.0 ? 1.0 : -1.0, p.y >= 0.0 ? 1.0 : -1.0);
 }
 
-vec3 octahedral_decode(vec2 p) {
+// The vector's direction; its length is between 0.57 and 1.
+vec3 octahedral_direction(vec2 p) {
   vec3 n = vec3(p, 1.0 - abs(p.x) - abs(p.y));
   if (n.z < 0.0) n.xy = (1.0 - abs(n.yx)) * vec2(n.x >= 0.0 ? 1.0 : -1.0, n.y >= 0.0 ? 1.0 : -1.0);
-  return normalize(n);
+  return n;
 }
+
+vec3 octahedral_decode(vec2 p) { return normalize(octahedral_direction(p)); }
 
 #endif

@@ -60,11 +60,11 @@ const std::vector<SpecKey>& all_keys() {
       choice_key("kernel", "triangle", {"3", "5"}, "the receiver's ray meets the triangles of 3x3 or 5x5 texels"),
       choice_key("recovery", "subpixel", {"on", "off"},
                  "off: receivers that neither their texel nor its neighbours decide are lit"),
-      choice_key("warp", "perspective", {"psm", "lispsm"},
-                 "how the matrix is chosen: perspective shadow maps, or light space ones (Wimmer 2004)"),
-      choice_key(
-          "shift", "perspective", {"best", "least"},
-          "of psm: the eye moves back to where texels are smallest in the image, or as little as the paper asks"),
+      choice_key("warp", "perspective", {"best", "psm", "lispsm"},
+                 "how the matrix is chosen: of all projections the one with the smallest texels, perspective shadow "
+                 "maps (2002), or light space ones (Wimmer 2004)"),
+      choice_key("shift", "perspective", {"best", "least"},
+                 "of warp=psm: the eye moves back to where texels are smallest, or as little as the paper asks"),
       choice_key("fit", "perspective", {"visible", "view"},
                  "what receives: this frame's surface points, or without waiting what the camera's frustum holds"),
       choice_key("analysis_scale", "paged", {"1", "2", "4", "8"},

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "shadewright/error.h"
 #include "shadow/parameterization/cascaded/cascaded.h"
 #include "shadow/parameterization/paged/paged.h"
 #include "shadow/parameterization/perspective/perspective.h"
@@ -22,8 +23,12 @@ std::unique_ptr<Parameterization> make_parameterization(const gpu::Device& devic
   if (spec.parameterization == "uniform") return std::make_unique<Uniform>(device, spec.resolution, spec.choice("fit"));
   if (spec.parameterization == "cascaded") return std::make_unique<Cascaded>(device, spec, options.frames_in_flight);
   if (spec.parameterization == "perspective") {
-    const PerspectiveOptions perspective{spec.choice("warp") == "lispsm", spec.choice("shift") == "least",
-                                         spec.choice("fit") == "visible"};
+    const std::string warp = spec.choice("warp");
+    const WarpKind kind = warp == "psm" ? WarpKind::psm : warp == "lispsm" ? WarpKind::light_space : WarpKind::best;
+    if (kind != WarpKind::psm && spec.choice("shift") == "least")
+      throw InputError(fmt::format("spec '{}'", spec.text), "only plain perspective shadow maps shift the eye",
+                       "add warp=psm or leave shift out");
+    const PerspectiveOptions perspective{kind, spec.choice("shift") == "least", spec.choice("fit") == "visible"};
     return std::make_unique<Perspective>(device, spec.resolution, perspective, options.width, options.height);
   }
   if (spec.parameterization == "paged") return std::make_unique<Paged>(device, spec, options);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "render/shared.h"
+#include "shaders/show_aliasing_comp.h"
 #include "shaders/visible_comp.h"
 #include "shadow/shared.h"
 
@@ -17,11 +19,24 @@ uint32_t shared_kind(LightKind kind) {
                                         : shared::light_point;
 }
 
+/// From blue, a texel of a sixteenth of a pixel, over white, one of a pixel, to red, sixteen pixels.
+glm::u8vec4 aliasing_color(float size) {
+  if (size == -1) return {20, 20, 20, 255};
+  if (size < 0) return {110, 110, 110, 255};
+  const float x = std::clamp(std::log2(std::max(size, 1e-6f)) / 4, -1.0f, 1.0f);
+  const auto rest = static_cast<uint8_t>(std::lround(255 * (1 - std::abs(x))));
+  return x < 0 ? glm::u8vec4(rest, rest, 255, 255) : glm::u8vec4(255, rest, rest, 255);
+}
+
 }  // namespace
 
 Perspective::Perspective(const gpu::Device& device, uint32_t resolution, const PerspectiveOptions& options,
                          uint32_t width, uint32_t height)
-    : options_(options), resolution_(resolution), plain_(device, resolution, "view"), grid_(tile_grid(width, height)) {
+    : device_(device),
+      options_(options),
+      resolution_(resolution),
+      plain_(device, resolution, "view"),
+      grid_(tile_grid(width, height)) {
   if (!options.from_buffers) return;
   using enum gpu::BindingKind;
   reduce_ =
@@ -47,7 +62,7 @@ Receivers Perspective::find_receivers(const Frame& frame, gpu::Recorder& recorde
   }
   camera_.mapped<shared::CameraData>()[0] = render::camera_data(frame.camera);
   const shared::TileConstants constants{grid_.side,
-                                        grid_.columns,
+                                        glm::uvec2(grid_.columns, grid_.rows),
                                         shared_kind(frame.light.kind),
                                         static_cast<float>(std::cos(frame.light.outer_angle)),
                                         glm::vec3(frame.light.position),
@@ -56,7 +71,8 @@ Receivers Perspective::find_receivers(const Frame& frame, gpu::Recorder& recorde
     using gpu::Binding;
     const Binding bindings[] = {Binding::uniform(camera_), Binding::sampled(frame.depth, *sampler_),
                                 Binding::sampled(frame.normal, *sampler_), Binding::storage(tiles_)};
-    reduce_.dispatch(commands, bindings, gpu::bytes_of(constants), {grid_.columns, grid_.rows, 1});
+    reduce_.dispatch(commands, bindings, gpu::bytes_of(constants),
+                     {gpu::groups(grid_.columns, 8), gpu::groups(grid_.rows, 8), 1});
   });
   recorder.wait();
   recorder.cpu_stage("receivers", [&] {
@@ -67,7 +83,13 @@ Receivers Perspective::find_receivers(const Frame& frame, gpu::Recorder& recorde
 }
 
 void Perspective::choose_views(const Frame& frame, const Receivers& receivers) {
-  WarpOptions options{options_.light_space, options_.least_shift, resolution_};
+  WarpOptions options{options_.warp, options_.least_shift, resolution_, nullptr, {}};
+  std::vector<Box> casters;
+  if (options_.from_buffers) {
+    if (frame.scene) casters.assign(frame.scene->instance_bounds().begin(), frame.scene->instance_bounds().end());
+    if (!frame.draw_bounds.empty()) casters.push_back(frame.draw_bounds);
+    options.casters = casters;
+  }
   Box scene = frame.draw_bounds;
   if (frame.scene) scene.extend(frame.scene->bounds());
   views_.clear();
@@ -108,6 +130,29 @@ void Perspective::choose_views(const Frame& frame, const Receivers& receivers) {
 std::vector<Allocation> Perspective::allocations() const {
   if (!options_.from_buffers) return {};
   return {camera_.allocation(), tiles_.allocation()};
+}
+
+Picture Perspective::debug_picture(std::string_view, const ReceiverLookup& lookup) {
+  using enum gpu::BindingKind;
+  const gpu::ComputePass pass(device_, shaders::show_aliasing_comp,
+                              {uniform_buffer, sampled_image, sampled_image, storage_buffer}, 0,
+                              std::span(&lookup.layout, 1), views_.size() > 1);
+  const size_t pixels = size_t{lookup.width} * lookup.height;
+  const gpu::Buffer sizes(device_, "texel of each pixel", pixels * sizeof(float));
+  gpu::submit_and_wait(device_, [&](const vk::raii::CommandBuffer& commands) {
+    auto bindings = lookup.receivers;
+    bindings.push_back(gpu::Binding::storage(sizes));
+    pass.dispatch(commands, bindings, {}, {gpu::groups(lookup.width, 8), gpu::groups(lookup.height, 8), 1},
+                  std::span(&lookup.set, 1));
+  });
+  const auto bytes = gpu::read_back(device_, sizes, pixels * sizeof(float));
+  Picture picture{lookup.width, lookup.height, {}};
+  for (size_t i = 0; i < pixels; ++i) {
+    float size;
+    std::memcpy(&size, bytes.data() + i * sizeof(float), sizeof(float));
+    picture.pixels.push_back(aliasing_color(size));
+  }
+  return picture;
 }
 
 }  // namespace shadewright::shadow

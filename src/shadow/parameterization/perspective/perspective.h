@@ -1,16 +1,20 @@
-// perspective: perspective shadow maps (Stamminger and Drettakis, "Perspective Shadow Maps", 2002), and light space
-// ones.
+// perspective: perspective shadow maps (Stamminger and Drettakis, "Perspective Shadow Maps", 2002), light space ones,
+// and the best projective map.
 //
-// 1. The device reduces the camera's depth to ranges of tiles; their nearest is the near plane (section 6).
-// 2. Receivers are what the tiles hold; H, what may shadow them, follows from them and the light (section 4.1).
-// 3. The light is seen from under the camera's perspective transform, whose eye is moved back (sections 3, 4.2).
-// 4. The map is fitted tightly to the receivers' image; depth is the light's own distance.
-// 5. Where a texel is not smaller in the image than that of `uniform,fit=view`, its view is taken (counter "fallback").
+// 1. The device reduces what the camera sees of surfaces that face the light to bounds of tiles; their nearest is the
+//    near plane (section 6). What no caster may shadow is left out.
+// 2. The matrix. warp=best: of all projections of the light's plane, the one with the smallest texels, by search
+//    (light_plane.h). warp=psm: the light is seen from under the camera's perspective transform, whose eye is moved
+//    back (sections 3, 4.2); H, what may shadow the receivers, follows from them and the light (section 4.1).
+// 3. The map is fitted tightly to the receivers' image; depth is the light's own distance.
+// 4. Where a texel is not smaller than that of `uniform,fit=view`, its view is taken (counter "fallback").
 //
-// What differs from the paper: it moves the eye back as little as H allows (shift=least); by default the shift is the
-// one whose texels are smallest in the image. Depth is not the post-perspective one, so that no light is inverted, and
-// it is clamped before the nearest receiver, so that resolution follows receivers and casters may be anywhere. Point
-// lights have six faces, each with a projection of its own.
+// What differs from the paper: PSM's projections are some of those that the search chooses from, so `best` is the
+// default. PSM moves the eye back as little as H allows (shift=least); by default the shift is the one whose texels are
+// smallest. Depth is not the post-perspective one, so that no light is inverted. The near plane of the map comes from
+// the receivers and casters before it are clamped to it: their order there does not matter, since all of them are
+// before every receiver; so a light inside the scene needs no cut of H at its nearest caster, and resolution follows
+// receivers wherever casters are. Point lights have six faces, each with a projection of its own.
 #pragma once
 
 #include "shadow/parameterization/parameterization.h"
@@ -20,7 +24,7 @@
 namespace shadewright::shadow {
 
 struct PerspectiveOptions {
-  bool light_space = false;  ///< warp=lispsm
+  WarpKind warp = WarpKind::best;
   bool least_shift = false;  ///< shift=least
   bool from_buffers = true;  ///< fit=visible; false: fit=view, which waits for nothing
 };
@@ -41,11 +45,14 @@ class Perspective final : public Parameterization {
   std::span<const MapView> views() const override { return views_; }
   Counters counters() const override { return counters_; }
   std::vector<Allocation> allocations() const override;
+  std::vector<std::string> debug_names() const override { return {"aliasing"}; }
+  Picture debug_picture(std::string_view, const ReceiverLookup& lookup) override;
 
  private:
   Receivers find_receivers(const Frame& frame, gpu::Recorder& recorder);
   void choose_views(const Frame& frame, const Receivers& receivers);
 
+  const gpu::Device& device_;
   PerspectiveOptions options_;
   uint32_t resolution_;
   Uniform plain_;  ///< what is drawn instead where perspective does not help

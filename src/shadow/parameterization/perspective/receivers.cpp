@@ -24,16 +24,16 @@ constexpr std::array<std::array<int, 3>, 21> hull_normals{
      {0, 1, -2}, {0, 2, 1},  {0, 2, -1}, {1, 0, 2},  {1, 0, -2}, {2, 0, 1},  {2, 0, -1}}};
 
 /// The polytope with the normals above that holds `boxes`, which are in [-1, 1]^3.
-Polytope bounding_polytope(std::span<const Box> boxes) {
+Polytope bounding_polytope(std::span<const ReceiverBox> boxes) {
   Box bounds;
-  for (const Box& box : boxes) bounds.extend(box);
+  for (const ReceiverBox& box : boxes) bounds.extend(box.post);
   // A polytope needs a volume.
   const glm::dvec3 half = glm::max(0.5 * bounds.size(), glm::dvec3(image_slack));
   Polytope polytope = Polytope::from_box({bounds.center() - half, bounds.center() + half});
   for (size_t i = 3; i < hull_normals.size(); ++i) {
     const glm::dvec3 direction(hull_normals[i][0], hull_normals[i][1], hull_normals[i][2]);
     double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const Box& box : boxes) {
+    for (const auto& [box, world] : boxes) {
       const double middle = glm::dot(direction, box.center());
       const double reach = 0.5 * glm::dot(glm::abs(direction), box.size());
       low = std::min(low, middle - reach);
@@ -46,12 +46,6 @@ Polytope bounding_polytope(std::span<const Box> boxes) {
   return polytope;
 }
 
-/// Finds the hull of the boxes.
-void bound(Receivers& receivers, const CameraMap& camera) {
-  receivers.world_from_post = glm::inverse(camera.post_perspective(receivers.nearest, receivers.farthest, 0.0));
-  receivers.hull = transform(receivers.world_from_post, bounding_polytope(receivers.boxes));
-}
-
 /// z of CameraMap::post_perspective at a view depth.
 double post_depth(const Receivers& receivers, double depth) {
   const double near = receivers.nearest, far = receivers.farthest;
@@ -59,6 +53,11 @@ double post_depth(const Receivers& receivers, double depth) {
 }
 
 }  // namespace
+
+void bound(Receivers& receivers) {
+  receivers.hull =
+      receivers.boxes.empty() ? Polytope{} : transform(receivers.world_from_post, bounding_polytope(receivers.boxes));
+}
 
 CameraMap::CameraMap(const render::CameraView& camera)
     : x(glm::row(camera.clip_from_world, 0)),
@@ -78,7 +77,7 @@ glm::dmat4 CameraMap::post_perspective(double near, double far, double shift) co
 }
 
 TileGrid tile_grid(uint32_t width, uint32_t height) {
-  const uint32_t side = std::max({8u, (width + 79) / 80, (height + 47) / 48});
+  const uint32_t side = (std::max({8u, (width + 79) / 80, (height + 47) / 48}) + 1) / 2 * 2;
   return {side, (width + side - 1) / side, (height + side - 1) / side};
 }
 
@@ -132,13 +131,16 @@ Receivers visible_receivers(const render::CameraView& camera, std::span<const sh
       const glm::dvec2 end = glm::min(first + static_cast<double>(grid.side), size);
       const glm::dvec2 low = 2.0 * (first + 0.5) / size - 1.0 - image_slack;
       const glm::dvec2 high = 2.0 * (end - 0.5) / size - 1.0 + image_slack;
-      receivers.boxes.push_back({{low, post_depth(receivers, tile.nearest * (1 - depth_slack))},
-                                 {high, post_depth(receivers, tile.farthest * (1 + depth_slack))}});
+      receivers.boxes.push_back({{{low, post_depth(receivers, tile.nearest * (1 - depth_slack))},
+                                  {high, post_depth(receivers, tile.farthest * (1 + depth_slack))}},
+                                 {glm::dvec3(tile.low), glm::dvec3(tile.high)}});
       if (tile.depth > 0 && row % sample_stride == 0 && column % sample_stride == 0)
         append_sample(receivers.samples, rays, glm::floor(0.5 * (first + end)) + 0.5, tile.depth,
                       glm::dvec3(tile.normal));
     }
-  bound(receivers, CameraMap(camera));
+  receivers.world_from_post =
+      glm::inverse(CameraMap(camera).post_perspective(receivers.nearest, receivers.farthest, 0.0));
+  bound(receivers);
   return receivers;
 }
 
@@ -162,14 +164,15 @@ Receivers bounded_receivers(const Frame& frame) {
     const double depth = glm::dot(camera.w, p);
     const glm::dvec2 image(glm::dot(camera.x, p) / depth, glm::dot(camera.y, p) / depth);
     const glm::dvec3 post(image, post_depth(receivers, depth));
-    receivers.boxes.push_back({post - image_slack, post + image_slack});
+    receivers.boxes.push_back({{post - image_slack, post + image_slack}, {point, point}});
     const glm::dvec3 to_light =
         frame.light.kind == LightKind::directional ? -frame.light.direction : frame.light.position - point;
     if (glm::length(to_light) > 0)
       append_sample(receivers.samples, rays, 0.5 * (image + 1.0) * glm::dvec2(frame.camera.width, frame.camera.height),
                     depth, glm::normalize(to_light));
   }
-  bound(receivers, camera);
+  receivers.world_from_post = glm::inverse(camera.post_perspective(receivers.nearest, receivers.farthest, 0.0));
+  bound(receivers);
   return receivers;
 }
 
@@ -180,8 +183,9 @@ Receivers inside(const Receivers& receivers, std::span<const Plane> planes) {
   for (const Plane& plane : planes) {
     // The same half-space in post-perspective space, where receivers have a positive w.
     const glm::dvec4 row = transposed * glm::dvec4(plane.normal, plane.offset);
-    std::erase_if(result.boxes, [&](const Box& box) {
+    std::erase_if(result.boxes, [&](const ReceiverBox& receiver) {
       const glm::dvec3 normal(row);
+      const Box& box = receiver.post;
       return glm::dot(normal, box.center()) + 0.5 * glm::dot(glm::abs(normal), box.size()) + row.w < 0;
     });
   }

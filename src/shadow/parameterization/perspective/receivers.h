@@ -29,23 +29,28 @@ struct ReceiverSample {
   glm::dvec3 right, down;  ///< how far a step of one pixel in the image moves it along its own plane
 };
 
-/// Empty hull: nothing is visible.
+/// Where receivers are: bounds in post-perspective space and in the world.
+struct ReceiverBox {
+  Box post, world;
+};
+
+/// No boxes: nothing is visible.
 struct Receivers {
   double nearest = 0, farthest = 0;  ///< view depths
   double light_distance = 0;         ///< no receiver is nearer to a light with a position, along its axis
   glm::dmat4 world_from_post{1.0};   ///< inverse of the camera's post_perspective(nearest, farthest, 0)
-  std::vector<Box> boxes;            ///< hold every receiver, in that post-perspective space
+  std::vector<ReceiverBox> boxes;    ///< hold every receiver
   Polytope hull;                     ///< holds every receiver, few faces
   std::vector<ReceiverSample> samples;
 };
 
-/// A grid of square tiles over an image: at most about 4,000.
+/// A grid of square tiles of an even side over an image: at most about 4,000.
 struct TileGrid {
   uint32_t side, columns, rows;
 };
 TileGrid tile_grid(uint32_t width, uint32_t height);
 
-/// Receivers that the camera sees, from its buffers.
+/// Receivers that the camera sees, from its buffers: only what faces the light.
 Receivers visible_receivers(const render::CameraView& camera, std::span<const shared::VisibleTile> tiles,
                             const TileGrid& grid);
 /// Receivers that it may see, without its buffers: what its frustum holds of each instance's bounds. They are sampled
@@ -55,5 +60,8 @@ Receivers bounded_receivers(const Frame& frame);
 /// The part inside `planes`, for one face of a light: hull and samples, and the boxes that
 /// reach inside.
 Receivers inside(const Receivers& receivers, std::span<const Plane> planes);
+
+/// Fits the hull to the boxes.
+void bound(Receivers& receivers);
 
 }  // namespace shadewright::shadow

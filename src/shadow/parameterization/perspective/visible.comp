@@ -1,4 +1,5 @@
-// What the camera sees, tile by tile: the range of view depths, and one surface point. One work group a tile.
+// What the camera sees that faces the light, tile by tile: the range of view depths, and one surface point. One thread
+// a tile: barriers cost a CPU device more than the pixels do.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
@@ -14,11 +15,14 @@ layout(binding = 2) uniform sampler2D camera_normal;
 layout(binding = 3, scalar) writeonly buffer Tiles { VisibleTile tiles[]; };
 layout(push_constant, scalar) uniform Push { TileConstants constants; };
 
-shared uint nearest, farthest, light_distance;
+// What the look-up calls facing must not be missed for the order of its arithmetic.
+const float facing_slack = 1e-4;
+// Of this thread's pixels: depths as the camera's buffer has them, and bounds in the world.
+float depth_low = 1.0 / 0.0, depth_high = -1.0 / 0.0, light_low = 1.0 / 0.0;
+vec3 low = vec3(1.0 / 0.0), high = vec3(-1.0 / 0.0);
 
 // Distance from the light along the axis of its map; negative for what a spot does not reach.
-float axis_distance(vec3 world) {
-  vec3 from_light = world - constants.light_position;
+float axis_distance(vec3 from_light) {
   if (constants.light_kind == light_point) {
     vec3 a = abs(from_light);
     return max(a.x, max(a.y, a.z));
@@ -27,44 +31,52 @@ float axis_distance(vec3 world) {
   return along >= constants.light_cos_outer * length(from_light) ? along : -1.0;
 }
 
+void take(ivec2 pixel, float depth, vec2 encoded_normal) {
+  if (depth == camera.background_depth) return;
+  vec3 normal = octahedral_direction(encoded_normal);
+  vec3 world = camera_surface(camera, min(pixel, ivec2(camera.size) - 1), depth);
+  if (constants.light_kind == light_directional) {
+    if (dot(normal, constants.light_direction) > facing_slack) return;
+  } else {
+    vec3 from_light = world - constants.light_position;
+    if (dot(normal, from_light) > facing_slack * length(from_light)) return;
+    float along = axis_distance(from_light);
+    if (along < 0.0) return;
+    light_low = min(light_low, along);
+  }
+  depth_low = min(depth_low, depth);
+  depth_high = max(depth_high, depth);
+  low = min(low, world);
+  high = max(high, world);
+}
+
 void main() {
-  if (gl_LocalInvocationIndex == 0) {
-    nearest = light_distance = ~0u;
-    farthest = 0u;
-  }
-  barrier();
-  ivec2 first = ivec2(gl_WorkGroupID.xy * constants.side);
+  if (any(greaterThanEqual(gl_GlobalInvocationID.xy, constants.tiles))) return;
+  ivec2 first = ivec2(gl_GlobalInvocationID.xy * constants.side);
   ivec2 end = min(first + int(constants.side), ivec2(camera.size));
-  float low = 1.0 / 0.0, high = 0.0, light_low = 1.0 / 0.0;
-  for (int y = first.y + int(gl_LocalInvocationID.y); y < end.y; y += 8)
-    for (int x = first.x + int(gl_LocalInvocationID.x); x < end.x; x += 8) {
-      float depth = texelFetch(camera_depth, ivec2(x, y), 0).r;
-      if (depth == camera.background_depth) continue;
-      float view_depth = camera_view_depth(camera, depth);
-      if (constants.light_kind != light_directional) {
-        float along = axis_distance(camera_surface(camera, ivec2(x, y), depth));
-        if (along < 0.0) continue;
-        light_low = min(light_low, along);
-      }
-      low = min(low, view_depth);
-      high = max(high, view_depth);
+  for (int y = first.y; y < end.y; y += 2)
+    for (int x = first.x; x < end.x; x += 2) {
+      vec2 corner = vec2(x + 1, y + 1) / vec2(camera.size);
+      vec4 depths = textureGather(camera_depth, corner);
+      if (depths == vec4(camera.background_depth)) continue;
+      vec4 nx = textureGather(camera_normal, corner, 0), ny = textureGather(camera_normal, corner, 1);
+      take(ivec2(x, y + 1), depths.x, vec2(nx.x, ny.x));
+      take(ivec2(x + 1, y + 1), depths.y, vec2(nx.y, ny.y));
+      take(ivec2(x + 1, y), depths.z, vec2(nx.z, ny.z));
+      take(ivec2(x, y), depths.w, vec2(nx.w, ny.w));
     }
-  // Positive floats are in the order of their bits.
-  if (high > 0.0) {
-    atomicMin(nearest, floatBitsToUint(low));
-    atomicMax(farthest, floatBitsToUint(high));
-    atomicMin(light_distance, floatBitsToUint(light_low));
-  }
-  barrier();
-  if (gl_LocalInvocationIndex != 0) return;
   VisibleTile tile;
-  bool any = farthest != 0u;
-  tile.nearest = any ? uintBitsToFloat(nearest) : 1.0;
-  tile.farthest = any ? uintBitsToFloat(farthest) : 0.0;
+  bool any = depth_low <= depth_high;
+  // Which depth is nearer depends on the camera's convention.
+  float a = camera_view_depth(camera, depth_low), b = camera_view_depth(camera, depth_high);
+  tile.nearest = any ? min(a, b) : 1.0;
+  tile.farthest = any ? max(a, b) : 0.0;
+  tile.light_distance = light_low;
+  tile.low = low;
+  tile.high = high;
   ivec2 middle = (first + end) / 2;
-  tile.light_distance = uintBitsToFloat(light_distance);
   float depth = texelFetch(camera_depth, middle, 0).r;
   tile.depth = depth == camera.background_depth ? 0.0 : camera_view_depth(camera, depth);
   tile.normal = octahedral_decode(texelFetch(camera_normal, middle, 0).rg);
-  tiles[gl_WorkGroupID.y * constants.columns + gl_WorkGroupID.x] = tile;
+  tiles[gl_GlobalInvocationID.y * constants.tiles.x + gl_GlobalInvocationID.x] = tile;
 }

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "shadewright/geometry/projection.h"
+#include "shadow/parameterization/perspective/shadowable.h"
 
 namespace shadewright::shadow {
 
@@ -26,8 +27,8 @@ constexpr double depth_margin = 0.01;
 /// clamped there, or the casters nearer to the light are lost to it. A share of w, it is as far everywhere as the scale
 /// there asks.
 constexpr double depth_before = 0.5;
-/// A texel larger than this in the image, pixels, counts half of what it would.
-constexpr double large_footprint = 64;
+/// What a perspective gains must show through the estimate's noise.
+constexpr double least_gain = 1.1;
 
 double along(const glm::dvec4& row, const glm::dvec3& point) {
   return glm::dot(row, glm::dvec4(point, 1.0));
@@ -46,6 +47,16 @@ std::vector<glm::dvec3> corners_of(const Polytope& polytope) {
   std::sort(points.begin(), points.end(), before);
   points.erase(std::unique(points.begin(), points.end()), points.end());
   return points;
+}
+
+/// Without a lamp itself: where it is in the hull it is a corner, whose image the other corners on the same rays have.
+std::vector<glm::dvec3> before_light(std::vector<glm::dvec3> corners, const LightFrame& light) {
+  if (!light.perspective) return corners;
+  const glm::dvec4 distance = distance_row(light);
+  double farthest = 0;
+  for (const glm::dvec3& corner : corners) farthest = std::max(farthest, along(distance, corner));
+  std::erase_if(corners, [&](const glm::dvec3& corner) { return along(distance, corner) < near_share * farthest; });
+  return corners;
 }
 
 struct Rectangle {
@@ -82,7 +93,7 @@ Rectangle bounding_rectangle(const Projection& projection, const Receivers& rece
   const glm::dmat4 transposed = glm::transpose(receivers.world_from_post);
   const glm::dvec4 x = transposed * projection.x, y = transposed * projection.y, w = transposed * projection.w;
   Rectangle bounds;
-  for (const Box& box : receivers.boxes) {
+  for (const auto& [box, world] : receivers.boxes) {
     const glm::dvec3 center = box.center(), half = 0.5 * box.size();
     const glm::dvec3 middle(along(x, center), along(y, center), along(w, center));
     const glm::dvec3 across = half.x * glm::dvec3(x.x, y.x, w.x), down = half.y * glm::dvec3(x.y, y.y, w.y),
@@ -101,11 +112,6 @@ Rectangle bounding_rectangle(const Projection& projection, const Receivers& rece
 
 glm::dvec4 homogeneous_position(const Light& light) {
   return light.kind == LightKind::directional ? glm::dvec4(-light.direction, 0.0) : glm::dvec4(light.position, 1.0);
-}
-
-Projection uniform_projection(const LightFrame& light) {
-  return {glm::row(light.view_from_world, 0), glm::row(light.view_from_world, 1),
-          light.perspective ? distance_row(light) : glm::dvec4(0, 0, 0, 1)};
 }
 
 Projection perspective_projection(const glm::dvec4& light, const CameraMap& camera, const Receivers& receivers,
@@ -181,8 +187,7 @@ double least_shift(const Light& light, const LightFrame& frame, const CameraMap&
 }
 
 std::optional<glm::dmat4> fit_projection(const Projection& projection, const LightFrame& light,
-                                         const Receivers& receivers, uint32_t resolution, double border_texels,
-                                         bool exact) {
+                                         const Receivers& receivers, const FitOptions& options) {
   const std::vector<glm::dvec3> corners = corners_of(receivers.hull);
   if (corners.empty()) return std::nullopt;
   const glm::dvec4 distance = distance_row(light);
@@ -198,11 +203,9 @@ std::optional<glm::dmat4> fit_projection(const Projection& projection, const Lig
     if (!(farthest > tip)) return std::nullopt;
   }
 
-  // A lamp in the hull is a corner of it, whose image the other corners on the same rays have.
   std::vector<glm::dvec2> images;
   double w_low = infinity, w_high = 0;
-  for (const glm::dvec3& corner : corners) {
-    if (light.perspective && along(distance, corner) < near_share * farthest) continue;
+  for (const glm::dvec3& corner : before_light(corners, light)) {
     const double w = along(projection.w, corner);
     if (!(w > 0)) return std::nullopt;
     w_low = std::min(w_low, w);
@@ -219,20 +222,21 @@ std::optional<glm::dmat4> fit_projection(const Projection& projection, const Lig
   const glm::dvec2 center = bounds.center();
   const glm::dvec2 unit = glm::max(0.5 * bounds.size(), glm::dvec2(1e-6 * reach));
   for (glm::dvec2& p : images) p = (p - center) / unit;
-  const glm::dvec2 axis = smallest_turn(images);
+  const glm::dvec2 axis = options.turn ? smallest_turn(images) : glm::dvec2(1, 0);
   const auto turned = [&](const glm::dvec2& p) { return glm::dvec2(glm::dot(axis, p), axis.x * p.y - axis.y * p.x); };
   Rectangle window;
   for (const glm::dvec2& p : images) window.extend(turned(p));
   const glm::dvec4 x = (projection.x - center.x * projection.w) / unit.x;
   const glm::dvec4 y = (projection.y - center.y * projection.w) / unit.y;
   const Projection in_units{axis.x * x + axis.y * y, axis.x * y - axis.y * x, projection.w};
-  if (exact) {
+  if (options.exact) {
     const Rectangle of_boxes = bounding_rectangle(in_units, receivers);
     const glm::dvec2 low = glm::max(window.low, of_boxes.low), high = glm::min(window.high, of_boxes.high);
     if (low.x < high.x && low.y < high.y) window = {low, high};
   }
 
-  const glm::dvec2 half = glm::max(0.5 * window.size(), glm::dvec2(1e-9)) * (1.0 + 2.0 * border_texels / resolution);
+  const glm::dvec2 half =
+      glm::max(0.5 * window.size(), glm::dvec2(1e-9)) * (1.0 + 2.0 * options.border_texels / options.resolution);
   const glm::dvec4 u = (in_units.x - window.center().x * projection.w) / half.x;
   const glm::dvec4 v = (in_units.y - window.center().y * projection.w) / half.y;
 
@@ -247,37 +251,6 @@ std::optional<glm::dmat4> fit_projection(const Projection& projection, const Lig
   const glm::dvec4 from_nearest = scale / (1 + depth_margin) * (distance - glm::dvec4(0, 0, 0, near));
   const glm::dvec4 depth = (1 - depth_before) * from_nearest + depth_before * projection.w;
   return glm::transpose(glm::dmat4(u, v, depth, projection.w) * (1.0 / w_high));
-}
-
-double mean_footprint(const glm::dmat4& light_from_world, const Receivers& receivers, const Light& light,
-                      uint32_t resolution) {
-  const glm::dvec4 x = glm::row(light_from_world, 0), y = glm::row(light_from_world, 1),
-                   w = glm::row(light_from_world, 3);
-  const double half = 0.5 * resolution;
-  double sum = 0, weights = 0;
-  for (const ReceiverSample& sample : receivers.samples) {
-    const glm::dvec3 to_light = light.kind == LightKind::directional ? -light.direction : light.position - sample.world;
-    if (glm::dot(sample.normal, to_light) <= 0) continue;
-    const double depth = along(w, sample.world);
-    const double u = along(x, sample.world) / depth, v = along(y, sample.world) / depth;
-    // How far a pixel moves the point in the map, texels.
-    const auto move = [&](const glm::dvec3& step) {
-      const double dw = glm::dot(glm::dvec3(w), step);
-      return half / depth * glm::dvec2(glm::dot(glm::dvec3(x), step) - u * dw, glm::dot(glm::dvec3(y), step) - v * dw);
-    };
-    const glm::dvec2 right = move(sample.right), down = move(sample.down);
-    // The inverse of that: a texel's two sides in the image. A parallelogram is as wide as both across an edge of any
-    // direction, on the average.
-    const double area = std::abs(right.x * down.y - right.y * down.x);
-    const double sides = glm::length(glm::dvec2(right.x, down.x)) + glm::length(glm::dvec2(right.y, down.y));
-    const double footprint = sides / std::max(area, 1e-12);
-    // Things as far apart in the world are the closer in the image the farther away: there is more edge there in a
-    // pixel. By measurement the root of the distance predicts errors best.
-    const double weight = std::sqrt(sample.depth);
-    sum += weight * footprint / (1 + footprint / large_footprint);
-    weights += weight;
-  }
-  return weights == 0 ? 0 : sum / weights;
 }
 
 namespace {
@@ -305,62 +278,66 @@ Warp choose_warp(const Light& light, const LightFrame& frame, const CameraMap& c
   Warp warp;
   warp.light_from_world = frame.view_from_world;
   if (receivers.hull.empty()) return warp;
-  const Receivers reached = frame.perspective ? inside(receivers, reach_planes(light, frame)) : receivers;
+  const std::vector<Plane> reach = reach_planes(light, frame);
+  Receivers reached = frame.perspective ? inside(receivers, reach) : receivers;
+  if (!options.casters.empty() && keep_shadowable(reached, light, frame, options.casters)) {
+    bound(reached);
+    reached.hull = clip(reached.hull, reach);
+  }
   if (reached.hull.empty()) return warp;
   // Faces of a point light overlap by the widest filter, so that a tap never leaves its face.
-  const double border = light.kind == LightKind::point ? 21 : 1;
-
-  struct Candidate {
-    Projection projection;
-    double footprint = infinity;
+  FitOptions fit{options.resolution, light.kind == LightKind::point ? 21.0 : 1.0, true, false};
+  const LightPlane plane(frame, light, before_light(corners_of(reached.hull), frame), reached.samples);
+  const auto texel = [&](const std::optional<glm::dmat4>& matrix) {
+    return matrix ? plane.mean_texel(*matrix) : infinity;
   };
-  const auto rate = [&](const Projection& projection) {
-    const auto matrix = fit_projection(projection, frame, reached, options.resolution, border, false);
-    return Candidate{projection, matrix ? mean_footprint(*matrix, reached, light, options.resolution) : infinity};
+  const Projection plain = uniform_projection(frame);
+  const double plain_texel = texel(fit_projection(plain, frame, reached, fit));
+  Projection best = plain;
+  double best_texel = infinity;
+  const auto consider = [&](const Projection& projection) {
+    const double size = texel(fit_projection(projection, frame, reached, fit));
+    if (!(size < best_texel)) return false;
+    best_texel = size;
+    best = projection;
+    return true;
   };
-  const Candidate uniform = rate(uniform_projection(frame));
-  Candidate best;
-  if (options.light_space) {
-    best = rate(light_space_projection(frame, camera, reached));
+  if (!plane.measurable()) {
+    // No sample faces the light: any map will do.
+  } else if (options.kind == WarpKind::best) {
+    fit.turn = false;
+    consider(plane.best_projection());
+  } else if (options.kind == WarpKind::light_space) {
+    consider(light_space_projection(frame, camera, reached));
   } else {
-    const glm::dvec4 position = homogeneous_position(light);
-    const auto consider = [&](double shift) {
-      const Candidate candidate = rate(perspective_projection(position, camera, reached, shift));
-      if (candidate.footprint >= best.footprint) return;
-      best = candidate;
-      warp.shift = shift;
+    const auto shifted = [&](double shift) {
+      if (consider(perspective_projection(homogeneous_position(light), camera, reached, shift))) warp.shift = shift;
     };
     if (options.least_shift) {
-      consider(least_shift(light, frame, camera, reached, scene));
+      shifted(least_shift(light, frame, camera, reached, scene));
     } else {
-      consider(0);
-      for (double shift = 0.25 * reached.nearest; shift < 8 * reached.farthest; shift *= 4) consider(shift);
-      for (const double factor : {0.5, 2.0, std::sqrt(0.5), std::sqrt(2.0)}) consider(factor * warp.shift);
+      shifted(0);
+      for (double shift = 0.25 * reached.nearest; shift < 8 * reached.farthest; shift *= 4) shifted(shift);
+      for (const double factor : {0.5, 2.0, std::sqrt(0.5), std::sqrt(2.0)}) shifted(factor * warp.shift);
     }
   }
 
-  const auto take = [&](const Candidate& candidate) {
-    const auto matrix = fit_projection(candidate.projection, frame, reached, options.resolution, border, true);
-    if (!matrix) return false;
-    warp.light_from_world = *matrix;
-    warp.drawn = true;
-    return true;
-  };
-  // No sample faces the light: any map will do.
-  warp.fallback = !(best.footprint < uniform.footprint) || !take(best);
-  if (!warp.fallback) {
-    warp.gain = uniform.footprint / best.footprint;
-  } else {
+  fit.exact = true;
+  std::optional<glm::dmat4> matrix;
+  if (best_texel < plain_texel) matrix = fit_projection(best, frame, reached, fit);
+  warp.fallback = !matrix;
+  if (warp.fallback) {
+    fit.turn = true;
     warp.shift = 0;
-    take(uniform);
+    matrix = fit_projection(plain, frame, reached, fit);
+  } else {
+    warp.gain = plain_texel / best_texel;
   }
-  // Never below the map that a user would have instead. What a perspective gains must show through the estimate's
-  // noise.
-  const auto footprint = [&](const glm::dmat4& matrix) {
-    return mean_footprint(matrix, reached, light, options.resolution);
-  };
-  const double least_gain = warp.fallback ? 1.0 : 1.1;
-  if (options.plain && warp.drawn && footprint(*options.plain) < least_gain * footprint(warp.light_from_world)) {
+  warp.drawn = matrix.has_value();
+  if (!warp.drawn) return warp;
+  warp.light_from_world = *matrix;
+  // Never below the map that a user would have instead.
+  if (options.plain && plane.mean_texel(*options.plain) < (warp.fallback ? 1.0 : least_gain) * texel(matrix)) {
     warp = {};
     warp.light_from_world = *options.plain;
     warp.drawn = warp.fallback = true;

@@ -9,21 +9,12 @@
 
 #include <optional>
 
-#include "shadow/parameterization/perspective/receivers.h"
-#include "shadow/parameterization/uniform/fit.h"
+#include "shadow/parameterization/perspective/light_plane.h"
 
 namespace shadewright::shadow {
 
-/// Image of a world point: (x / w, y / w), in any unit. Rows of the world.
-struct Projection {
-  glm::dvec4 x, y, w;
-};
-
 /// (position, 1), or (direction towards the light, 0).
 glm::dvec4 homogeneous_position(const Light& light);
-
-/// The light's own undistorted view.
-Projection uniform_projection(const LightFrame& light);
 
 /// PSM: the view from the light's image under the camera's perspective transform with the eye moved back by `shift`
 /// (section 4.2) towards the middle of the receivers there. All cases of figures 4 and 5 in one formula.
@@ -41,31 +32,33 @@ double least_shift(const Light& light, const LightFrame& frame, const CameraMap&
                    const Box& scene);
 
 /// light_from_world whose map just holds the receivers, with a border; none where `projection` does not have all of
-/// them in front of it, or no receivers are there. `exact` takes their boxes into account, not only their hull.
+/// them in front of it, or no receivers are there.
+struct FitOptions {
+  uint32_t resolution = 0;
+  double border_texels = 1;
+  bool turn = true;    ///< the map's axes to where its window is smallest; else they are the projection's
+  bool exact = false;  ///< takes the receivers' boxes into account, not only their hull
+};
 std::optional<glm::dmat4> fit_projection(const Projection& projection, const LightFrame& light,
-                                         const Receivers& receivers, uint32_t resolution, double border_texels,
-                                         bool exact);
+                                         const Receivers& receivers, const FitOptions& options);
 
-/// Mean size of a texel in the image, pixels, over the samples that face the light: what the error of a hard shadow's
-/// edge is proportional to. Far samples count more, since edges are denser there. Large ones count less and less, since
-/// a shadow is not displaced by more than its own size.
-double mean_footprint(const glm::dmat4& light_from_world, const Receivers& receivers, const Light& light,
-                      uint32_t resolution);
+enum class WarpKind { best, psm, light_space };
 
 struct WarpOptions {
-  bool light_space = false;           ///< instead of PSM
+  WarpKind kind = WarpKind::best;
   bool least_shift = false;           ///< of PSM: as little as H allows; otherwise the best
   uint32_t resolution = 0;            ///< texels per axis
   const glm::dmat4* plain = nullptr;  ///< what uniform,fit=view draws; null: it draws nothing, or is not known
+  std::span<const Box> casters;       ///< world bounds that hold all casters; none: not known
 };
 
 /// The matrix of one view.
 struct Warp {
   glm::dmat4 light_from_world{1.0};
   bool drawn = false;     ///< false: nothing visible receives here
-  bool fallback = false;  ///< uniform, since no perspective has smaller texels in the image
+  bool fallback = false;  ///< uniform, since no perspective has smaller texels
   double shift = 0;       ///< of PSM's eye, metres
-  double gain = 1;        ///< mean size of a uniform map's texel in the image over this one's
+  double gain = 1;        ///< mean size of a uniform map's texel over this one's
 };
 
 /// The matrix of the view of `light` along `frame` (the light's only one, or a face's).
