@@ -23,6 +23,12 @@ function(shadewright_combination parameterization storage filter)
   if(EXISTS "${bent}" AND EXISTS "${room}/parameterization/${parameterization}/bent_fragment.glsl")
     _shadewright_generate("${bent}" bent_${parameterization}_${storage} shadewright_caster_entries ${parameterization}/${storage}.bent)
   endif()
+  set(stage comp)
+  set(decisions "${room}/storage/${storage}/decisions.comp.in")
+  if(EXISTS "${decisions}")
+    _shadewright_generate("${decisions}" decisions_${parameterization}_${storage} shadewright_decision_entries
+                          ${parameterization}/${storage})
+  endif()
   foreach(stage vert tesc tese geom frag)
     set(casters "${room}/storage/${storage}/casters.${stage}.in")
     # A parameterization with a vertex stage of its own draws casters by it.
@@ -34,7 +40,7 @@ function(shadewright_combination parameterization storage filter)
 endfunction()
 
 function(shadewright_lookup_table)
-  foreach(list lookup_includes lookup_entries oracle_entries caster_entries)
+  foreach(list lookup_includes lookup_entries oracle_entries decision_entries caster_entries)
     get_property(shadewright_${list} GLOBAL PROPERTY shadewright_${list})
   endforeach()
   set(entry "inline constexpr std::pair<std::string_view, std::span<const uint32_t>>")
@@ -49,6 +55,8 @@ ${entry} lookups[] = {
 ${shadewright_lookup_entries}};
 ${entry} oracles[] = {
 ${shadewright_oracle_entries}};
+${entry} decisions[] = {
+${shadewright_decision_entries}};
 ${entry} casters[] = {
 ${shadewright_caster_entries}};
 }

@@ -20,6 +20,7 @@ constexpr size_t max_cluster_vertices = 255, max_cluster_triangles = 512;
 
 struct MeshClusters {
   std::vector<glm::uvec3> triangles;  ///< in cluster order
+  std::vector<glm::uvec3> across;     ///< see MeshTopology, of those
   std::vector<uint32_t> first;        ///< first triangle of each cluster
   uint32_t closed = 0;                ///< how many of the clusters, from the first on, bound closed bodies
 };
@@ -52,15 +53,42 @@ void append_clusters(MeshClusters& result, const Mesh& mesh, std::span<const glm
   }
 }
 
+/// `topology.across` for `triangles`, which are the mesh's in another order, their corners too.
+std::vector<glm::uvec3> across_in_order(const Mesh& mesh, const MeshTopology& topology,
+                                        std::span<const glm::uvec3> triangles) {
+  // Edges by the corner they leave from.
+  struct Edge {
+    uint32_t to, across;
+  };
+  std::vector<uint32_t> starts(mesh.positions.size() + 1, 0);
+  for (const glm::uvec3& triangle : mesh.triangles)
+    for (int e = 0; e < 3; ++e) ++starts[triangle[e] + 1];
+  std::inclusive_scan(starts.begin(), starts.end(), starts.begin());
+  std::vector<uint32_t> ends(starts.begin(), starts.end() - 1);
+  std::vector<Edge> edges(starts.back());
+  for (size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (int e = 0; e < 3; ++e)
+      edges[ends[mesh.triangles[t][e]]++] = {mesh.triangles[t][(e + 1) % 3], topology.across[t][e]};
+  std::vector<glm::uvec3> result(triangles.size(), glm::uvec3(no_vertex));
+  for (size_t t = 0; t < triangles.size(); ++t)
+    for (int e = 0; e < 3; ++e) {
+      const uint32_t from = triangles[t][e], to = triangles[t][(e + 1) % 3];
+      for (uint32_t i = starts[from]; i < starts[from + 1]; ++i)
+        if (edges[i].to == to) result[t][e] = edges[i].across;
+    }
+  return result;
+}
+
 MeshClusters make_clusters(const Mesh& mesh) {
-  const std::vector<uint8_t> closed = closed_triangles(mesh);
+  const MeshTopology topology = mesh_topology(mesh);
   std::vector<glm::uvec3> parts[2];
-  for (size_t t = 0; t < mesh.triangles.size(); ++t) parts[closed[t] ? 0 : 1].push_back(mesh.triangles[t]);
+  for (size_t t = 0; t < mesh.triangles.size(); ++t) parts[topology.closed[t] ? 0 : 1].push_back(mesh.triangles[t]);
   MeshClusters result;
   result.triangles.reserve(mesh.triangles.size());
   append_clusters(result, mesh, parts[0]);
   result.closed = static_cast<uint32_t>(result.first.size());
   append_clusters(result, mesh, parts[1]);
+  result.across = across_in_order(mesh, topology, result.triangles);
   return result;
 }
 
@@ -111,6 +139,7 @@ SceneGpu::SceneGpu(const gpu::Device& device, const Scene& scene, double time, u
 
   std::vector<glm::vec3> positions;
   std::vector<glm::uvec3> triangles;
+  std::vector<glm::uvec3> across;
   std::vector<uint32_t> normals;
   std::vector<shared::ClusterData> clusters;
   std::vector<uint32_t> mesh_first_cluster(scene.meshes.size() + 1, 0);
@@ -136,6 +165,10 @@ SceneGpu::SceneGpu(const gpu::Device& device, const Scene& scene, double time, u
           longest_edge =
               std::max(longest_edge, glm::distance(mesh.positions[triangle[k]], mesh.positions[triangle[(k + 1) % 3]]));
         triangles.push_back(triangle + base);
+        glm::uvec3 beyond = parts.across[t];
+        for (int k = 0; k < 3; ++k)
+          if (beyond[k] != no_vertex) beyond[k] += base;
+        across.push_back(beyond);
         normals.push_back(packed_normal(mesh, triangle));
       }
       clusters.push_back({glm::vec3(box.center()), glm::vec3(0.5 * box.size()), first_index, 3 * (end - begin), shown.x,
@@ -151,6 +184,7 @@ SceneGpu::SceneGpu(const gpu::Device& device, const Scene& scene, double time, u
 
   positions_ = gpu::make_buffer<glm::vec3>(device, "scene positions", positions);
   indices_ = gpu::make_buffer<glm::uvec3>(device, "scene indices", triangles);
+  across_ = gpu::make_buffer<glm::uvec3>(device, "scene triangle neighbours", across);
   normals_ = gpu::make_buffer<uint32_t>(device, "scene triangle normals", normals);
   instances_ = gpu::make_buffer<shared::InstanceData>(device, "scene instances", instances);
   clusters_ = gpu::make_buffer<shared::ClusterData>(device, "scene clusters", clusters);
@@ -241,8 +275,8 @@ std::vector<uint32_t> SceneGpu::front_to_back(const glm::dvec3& eye) const {
 }
 
 std::vector<Allocation> SceneGpu::allocations() const {
-  std::vector<Allocation> result{positions_.allocation(), indices_.allocation(), normals_.allocation(),
-                                 instances_.allocation(), clusters_.allocation()};
+  std::vector<Allocation> result{positions_.allocation(), indices_.allocation(),   across_.allocation(),
+                                 normals_.allocation(),   instances_.allocation(), clusters_.allocation()};
   for (const gpu::Buffer& staging : staging_) result.push_back(staging.allocation());
   return result;
 }

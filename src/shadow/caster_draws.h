@@ -19,6 +19,7 @@ struct CasterPipelineDesc {
   vk::DescriptorSetLayout lookup_layout;                       ///< set 1
   std::vector<vk::Format> colors;                              ///< of attachments besides depth (D32)
   render::SceneInputs inputs = render::SceneInputs::position;  ///< what the storage's vertex stage reads
+  bool neighbours = false;  ///< whether its geometry stage reads what render/scene_neighbours.glsl declares
 };
 
 class CasterDraws {

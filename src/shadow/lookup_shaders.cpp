@@ -23,6 +23,9 @@ std::span<const uint32_t> lookup_shader(std::string_view combination) {
 std::span<const uint32_t> oracle_shader(std::string_view parameterization) {
   return find(shaders::oracles, parameterization);
 }
+std::span<const uint32_t> decisions_shader(std::string_view maps) {
+  return find(shaders::decisions, maps);
+}
 gpu::GraphicsDesc casters_shaders(const Spec& spec) {
   const auto stage = [&](std::string_view name) {
     return find(shaders::casters, fmt::format("{}/{}.{}", spec.parameterization, spec.storage, name));

@@ -57,6 +57,8 @@ MapTechnique::MapTechnique(const gpu::Device& device, const Spec& spec, const Te
     views_.emplace_back(device, "shadow views", parameterization_->max_views() * sizeof(shared::MapViewData),
                         gpu::HostAccess::write);
   }
+  if (auto names = storage_traits(spec.storage).decisions; !names.empty())
+    decisions_.emplace(device, std::move(names), options.frames_in_flight);
   // Views, constants, the storage's resources and the parameterization's: see map_point.glsl and the modules' GLSL.
   using enum gpu::BindingKind;
   const LookupSets::Part parts[] = {{0, {storage_buffer, uniform_buffer}},
@@ -83,9 +85,10 @@ void MapTechnique::build_for(LightKind light) {
   storage_ = make_storage(device_, {spec_, parameterization_->map_extent(light), *draws_, lookup_sets_.layout()});
   using enum gpu::BindingKind;
   const vk::DescriptorSetLayout lookup_layout = lookup_sets_.layout();
+  std::vector kinds{uniform_buffer, sampled_image, sampled_image, storage_image};
+  if (decisions_) kinds.push_back(storage_buffer);
   lookup_ = gpu::ComputePass(device_, lookup_shader(spec_.parameterization + "/" + spec_.storage + "/" + spec_.filter),
-                             {uniform_buffer, sampled_image, sampled_image, storage_image}, 0,
-                             std::span(&lookup_layout, 1), light == LightKind::point);
+                             kinds, 0, std::span(&lookup_layout, 1), light == LightKind::point);
   built_for_ = light;
   write_lookup_sets();
 }
@@ -147,9 +150,14 @@ void MapTechnique::record(const Frame& frame, gpu::Recorder& recorder) {
     visibility_.transition(commands, vk::ImageLayout::eGeneral, true);
     auto bindings = last_.receivers;
     bindings.push_back(gpu::Binding::storage(visibility_.view()));
+    if (decisions_) {
+      decisions_->clear(commands);
+      bindings.push_back(decisions_->binding());
+    }
     lookup_.dispatch(commands, bindings, {}, {gpu::groups(options_.width, 8), gpu::groups(options_.height, 8), 1},
                      std::span(&last_.set, 1));
     visibility_.transition(commands, vk::ImageLayout::eShaderReadOnlyOptimal);
+    if (decisions_) decisions_->take(commands, slot(frame));
   });
 }
 
@@ -163,6 +171,7 @@ std::vector<Allocation> MapTechnique::allocations() const {
     append(draws_->allocations());
   }
   append(parameterization_->allocations());
+  if (decisions_) append(decisions_->allocations());
   for (const auto* buffers : {&cameras_, &views_, &lookups_})
     for (const auto& buffer : *buffers) result.push_back(buffer.allocation());
   return result;
@@ -210,6 +219,7 @@ Counters MapTechnique::counters() const {
     counters.merge(draws_->counters());
     counters.merge(storage_->counters());
   }
+  if (decisions_) counters.merge(decisions_->counters());
   return counters;
 }
 
@@ -224,6 +234,9 @@ Picture MapTechnique::debug_picture(std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
   if (has(parameterization_->debug_names())) return parameterization_->debug_picture(name, last_);
+  if (decisions_ && built_for_ && name == "decisions")
+    return decisions_picture(device_, spec_.parameterization + "/" + spec_.storage, last_,
+                             *built_for_ == LightKind::point);
   if (storage_ && has(storage_traits(spec_.storage).debug_names)) return storage_->debug_picture(name);
   return Technique::debug_picture(name);
 }

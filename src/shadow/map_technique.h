@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "shadow/decisions.h"
 #include "shadow/lookup_sets.h"
 #include "shadow/parameterization/parameterization.h"
 #include "shadow/storage/storage.h"
@@ -50,7 +51,8 @@ class MapTechnique final : public Technique {
   std::unique_ptr<Storage> storage_;
   std::optional<LightKind> built_for_;
   gpu::ComputePass lookup_;
-  ReceiverLookup last_;  ///< of the last prepared frame
+  std::optional<Decisions> decisions_;  ///< where the storage's look-up tells
+  ReceiverLookup last_;                 ///< of the last prepared frame
 };
 
 }  // namespace shadewright::shadow

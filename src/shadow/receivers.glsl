@@ -27,3 +27,11 @@ Receiver receiver_at(ivec2 pixel) {
     r.facing = r.facing && dot(normalize(-to_light), lookup.light_direction) >= lookup.light_cos_outer;
   return r;
 }
+
+// How fast the receiver moves over its plane, world space, as the pixel moves by `by`.
+vec3 receiver_step(Receiver r, ivec2 pixel, vec2 by) {
+  vec3 ray = camera_ray(camera, vec2(pixel) + 0.5), change = camera_ray(camera, vec2(pixel) + 0.5 + by) - ray;
+  float depth = dot(r.normal, r.world - camera.eye), facing = dot(r.normal, ray);
+  facing = abs(facing) < 1e-20 ? 1e-20 : facing;
+  return depth / facing * (change - ray * (dot(r.normal, change) / facing));
+}

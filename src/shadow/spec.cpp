@@ -58,8 +58,9 @@ const std::vector<SpecKey>& all_keys() {
                  "how a texel codes slopes and depth: 11 bits a slope and depth within the texel, the paper's 8 bits "
                  "by the fifth power, or 8 bits linear in the angle"),
       choice_key("kernel", "triangle", {"3", "5"}, "the receiver's ray meets the triangles of 3x3 or 5x5 texels"),
-      choice_key("recovery", "subpixel", {"on", "off"},
-                 "off: receivers that neither their texel nor its neighbours decide are lit"),
+      choice_key("recovery", "subpixel", {"silhouettes", "tangents", "off"},
+                 "who neither their texel nor its neighbours cover: decided by the silhouettes around, by the paper's "
+                 "tangents, or lit"),
       choice_key("warp", "perspective", {"best", "psm", "lispsm"},
                  "how the matrix is chosen: of all projections the one with the smallest texels, perspective shadow "
                  "maps (2002), or light space ones (Wimmer 2004)"),

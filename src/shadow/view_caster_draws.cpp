@@ -16,6 +16,7 @@ const Plane nothing{{0, 0, 0}, -1};
 gpu::GraphicsDesc ViewCasterDraws::describe(const CasterPipelineDesc& desc) {
   gpu::GraphicsDesc pipeline = casters_shaders(desc.spec);
   render::CulledDraws::set_vertex_input(pipeline, desc.inputs);
+  if (desc.neighbours) pipeline.kinds.assign(3, gpu::BindingKind::storage_buffer);
   pipeline.sets = {desc.lookup_layout};
   pipeline.push_bytes = sizeof(uint32_t);
   pipeline.depth_clamp = true;
@@ -25,6 +26,7 @@ gpu::GraphicsDesc ViewCasterDraws::describe(const CasterPipelineDesc& desc) {
 
 void ViewCasterDraws::make_pipelines(const gpu::Device& device, const CasterPipelineDesc& desc) {
   pass_ = gpu::GraphicsPass(device, describe(desc));
+  neighbours_ = desc.neighbours;
 }
 
 void ViewCasterDraws::prepare(const Frame& frame, uint32_t slot, std::span<const MapView> views) {
@@ -59,7 +61,10 @@ void ViewCasterDraws::draw(const vk::raii::CommandBuffer& commands, const Frame&
 
 void ViewCasterDraws::draw_scene(const vk::raii::CommandBuffer& commands, uint32_t index,
                                  vk::DescriptorSet lookup_set) const {
-  pass_.bind(commands, {}, gpu::bytes_of(index), std::span(&lookup_set, 1));
+  const gpu::Binding bindings[] = {gpu::Binding::storage(scene_->positions()),
+                                   gpu::Binding::storage(scene_->triangle_neighbours()),
+                                   gpu::Binding::storage(draws_->visible())};
+  pass_.bind(commands, std::span(bindings, neighbours_ ? 3 : 0), gpu::bytes_of(index), std::span(&lookup_set, 1));
   draws_->draw(commands, index);
 }
 

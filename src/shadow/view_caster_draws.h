@@ -29,6 +29,7 @@ class ViewCasterDraws : public CasterDraws {
   std::optional<render::CulledDraws> draws_;
   const render::SceneGpu* scene_ = nullptr;  ///< whose draws these are
   gpu::GraphicsPass pass_;
+  bool neighbours_ = false;  ///< whether its geometry stage reads them
 
  private:
   uint32_t max_views_, frames_in_flight_;

@@ -38,7 +38,8 @@ class Storage {
 struct StorageTraits {
   std::vector<gpu::BindingKind> lookup_kinds;  ///< of what its GLSL module reads
   std::vector<std::string> debug_names;
-  bool takes_callbacks = true;  ///< casters may be drawn by the caller's own pipeline
+  std::vector<std::string> decisions = {};  ///< how its look-up may come to an answer; empty where it does not tell
+  bool takes_callbacks = true;              ///< casters may be drawn by the caller's own pipeline
 };
 StorageTraits storage_traits(std::string_view storage);
 

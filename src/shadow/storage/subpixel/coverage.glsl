@@ -7,14 +7,19 @@
 // Half a texel, and what the rounding of vertices to 1/256 texel may move them.
 const float half_texel = 0.5 + 1.0 / 256.0;
 
+// The part of the edge from a to b that lies within the texel around the origin, of its length; none if x > y.
+vec2 clip_to_texel(vec2 a, vec2 b) {
+  vec2 d = b - a;
+  vec2 inverse = 1.0 / mix(d, vec2(1e-20), lessThan(abs(d), vec2(1e-20)));
+  vec2 t0 = (-half_texel - a) * inverse, t1 = (half_texel - a) * inverse;
+  vec2 enter = min(t0, t1), leave = max(t0, t1);
+  return vec2(max(max(enter.x, enter.y), 0.0), min(min(leave.x, leave.y), 1.0));
+}
+
 // Minimum depth along the edge from a to b within the texel around the origin; infinity where it does not cross.
 float edge_minimum(vec3 a, vec3 b) {
-  vec2 d = b.xy - a.xy;
-  vec2 inverse = 1.0 / mix(d, vec2(1e-20), lessThan(abs(d), vec2(1e-20)));
-  vec2 t0 = (-half_texel - a.xy) * inverse, t1 = (half_texel - a.xy) * inverse;
-  vec2 enter = min(t0, t1), leave = max(t0, t1);
-  float from = max(max(enter.x, enter.y), 0.0), to = min(min(leave.x, leave.y), 1.0);
-  return from <= to ? min(mix(a.z, b.z, from), mix(a.z, b.z, to)) : 1.0 / 0.0;
+  vec2 within = clip_to_texel(a.xy, b.xy);
+  return within.x <= within.y ? min(mix(a.z, b.z, within.x), mix(a.z, b.z, within.y)) : 1.0 / 0.0;
 }
 
 // Twice the signed area.
@@ -35,9 +40,15 @@ vec2 depth_gradient(vec3 a, vec3 b, vec3 c) {
 // Minimum depth of the triangle within the texel around the origin; infinity where it does not touch it.
 // `depth` is that of its plane there.
 float consistent_minimum(vec3 a, vec3 b, vec3 c, vec2 gradient, float depth) {
+  float lowest = depth - half_texel * (abs(gradient.x) + abs(gradient.y));
+  vec2 ab = b.xy - a.xy, bc = c.xy - b.xy, ca = a.xy - c.xy;
+  float turn = cross2(ab, bc) < 0.0 ? -1.0 : 1.0;
+  vec3 side = turn * vec3(cross2(a.xy, ab), cross2(b.xy, bc), cross2(c.xy, ca));
+  vec3 reach = half_texel * vec3(abs(ab.x) + abs(ab.y), abs(bc.x) + abs(bc.y), abs(ca.x) + abs(ca.y));
+  if (all(greaterThan(side, reach))) return max(lowest, min(a.z, min(b.z, c.z)));  // the texel lies within
   float minimum = min(edge_minimum(a, b), min(edge_minimum(b, c), edge_minimum(c, a)));
   vec2 corner = -half_texel * vec2(gradient.x < 0.0 ? -1.0 : 1.0, gradient.y < 0.0 ? -1.0 : 1.0);
-  if (in_triangle(corner, a.xy, b.xy, c.xy)) minimum = min(minimum, depth + dot(gradient, corner));
+  if (in_triangle(corner, a.xy, b.xy, c.xy)) minimum = min(minimum, lowest);
   return max(minimum, min(a.z, min(b.z, c.z)));
 }
 

@@ -1,8 +1,8 @@
 // The codes of a sub-pixel shadow map's texel, for C++ and GLSL (SPSM section 3.3 and 3.4).
 //
-// r, g, b   the triangle's vertices, signed 16 bits each of 1/256 texel around the texel's centre; of a triangle that
-// reaches
-//           farther, three edge lines: angle 16 bits, distance 12 bits of 1/256 texel, and 4 bits of its slope along x
+// r, g, b   a vertex each, x and y signed 15 bits of 1/256 texel around the texel's centre; of a triangle that reaches
+//           farther an edge line each: angle 15 bits, distance 12 bits of 1/256 texel, 4 bits of the slope along x.
+//           Bit 15: the edge (from that vertex to the next one) is a silhouette. Bit 31 of b: triangle_averted.
 // a         slope along x, slope along y, depth at the texel's centre: 8, 8, 16 bits (the paper's), or 11, 11, 10 bits
 // The slope code along x of all ones marks edge lines.
 // Slopes are in texels of depth a texel: 1 is 45 degrees. They are quantized as angles (equations 2 to 4), whose power
@@ -17,6 +17,8 @@ namespace shadewright::shared {
 #endif
 
 const uint max_slope_codes = 2047;
+/// Of a triangle: a closed body's side that looks away from the light. Below it there is a bit a silhouette edge.
+const uint triangle_averted = 8;
 
 /// How slopes and depth are coded. `exponent` is the paper's n.
 struct SlopeCoding {
@@ -31,15 +33,23 @@ struct SlopeEntry {
   float error;
 };
 
-/// What the look-up of a sub-pixel shadow map reads besides the map.
-struct SubpixelTables {
+/// What drawing and look-up of a sub-pixel shadow map read besides the map. The constants come in a uniform buffer,
+/// which a CPU device reads once for several invocations.
+struct SubpixelConstants {
   SlopeCoding coding;
-  uint recovery;  // 0: uncertain receivers are lit
+  uint recovery;  // of receivers that no triangle covers: one of the three below
+};
+struct SubpixelTables {
   SlopeEntry slopes[max_slope_codes];
   uint tangent_counts[512];  // by pattern of occluded texels: how many tangents, or one of the two below
   vec2 tangents[2048];       // four a pattern: unit normals into the shadow
 };
 const uint tangents_lit = 0, tangents_shadowed = 5;
+const uint recovery_off = 0, recovery_silhouettes = 1, recovery_tangents = 2;
+
+/// How a receiver was decided (figure 14): by the texel that it lies in, the 3x3 around it, or silhouette recovery.
+const uint decided_by_one_texel = 1, decided_by_neighbours = 2, decided_by_recovery = 3;
+const uint decided_lit = 4;  // added where the answer is light
 
 #ifdef __cplusplus
 }  // namespace shadewright::shared

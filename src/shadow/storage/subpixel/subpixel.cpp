@@ -10,11 +10,14 @@ namespace shadewright::shadow {
 
 namespace {
 
+uint32_t recovery(std::string_view name) {
+  if (name == "off") return shared::recovery_off;
+  return name == "tangents" ? shared::recovery_tangents : shared::recovery_silhouettes;
+}
+
 gpu::Buffer make_tables(const gpu::Device& device, const Spec& spec) {
   const auto tables = std::make_unique<shared::SubpixelTables>();
-  tables->coding = slope_coding(spec.choice("slopes"));
-  tables->recovery = spec.choice("recovery") == "on" ? 1 : 0;
-  make_slope_table(tables->coding, tables->slopes);
+  make_slope_table(slope_coding(spec.choice("slopes")), tables->slopes);
   for (uint32_t pattern = 0; pattern < 512; ++pattern) {
     const TangentPattern found = tangent_pattern(pattern);
     using Kind = TangentPattern::Kind;
@@ -26,11 +29,17 @@ gpu::Buffer make_tables(const gpu::Device& device, const Spec& spec) {
   return gpu::make_buffer<shared::SubpixelTables>(device, "sub-pixel tables", std::span(tables.get(), 1));
 }
 
+gpu::Buffer make_constants(const gpu::Device& device, const Spec& spec) {
+  const shared::SubpixelConstants constants{slope_coding(spec.choice("slopes")), recovery(spec.choice("recovery"))};
+  return gpu::make_buffer<shared::SubpixelConstants>(device, "sub-pixel constants", std::span(&constants, 1));
+}
+
 }  // namespace
 
 SubpixelStorage::SubpixelStorage(const gpu::Device& device, const StorageDesc& desc)
     : device_(device),
       tables_(make_tables(device, desc.spec)),
+      constants_(make_constants(device, desc.spec)),
       sampler_(gpu::make_sampler(device, vk::Filter::eNearest)),
       draws_(desc.draws) {
   using Usage = vk::ImageUsageFlagBits;
@@ -40,9 +49,8 @@ SubpixelStorage::SubpixelStorage(const gpu::Device& device, const StorageDesc& d
   minimum_ =
       gpu::Image(device, {"sub-pixel minimum depth", vk::Format::eD32Sfloat, extent.width, extent.height, extent.layers,
                           Usage::eDepthStencilAttachment | Usage::eSampled | Usage::eTransferSrc, true});
-  // The surface tells closed bodies.
-  draws_.make_pipelines(device,
-                        {desc.spec, desc.lookup_layout, {triangles_.desc().format}, render::SceneInputs::surface});
+  draws_.make_pipelines(
+      device, {desc.spec, desc.lookup_layout, {triangles_.desc().format}, render::SceneInputs::position, true});
 }
 
 void SubpixelStorage::record(const Frame& frame, vk::DescriptorSet lookup_set, gpu::Recorder& recorder) {
@@ -53,7 +61,7 @@ void SubpixelStorage::record(const Frame& frame, vk::DescriptorSet lookup_set, g
 
 std::vector<gpu::Binding> SubpixelStorage::lookup_bindings() const {
   return {gpu::Binding::sampled(triangles_.view(), *sampler_), gpu::Binding::sampled(minimum_.view(), *sampler_),
-          gpu::Binding::storage(tables_)};
+          gpu::Binding::storage(tables_), gpu::Binding::uniform(constants_)};
 }
 
 Picture SubpixelStorage::debug_picture(std::string_view) {
@@ -61,7 +69,7 @@ Picture SubpixelStorage::debug_picture(std::string_view) {
 }
 
 std::vector<Allocation> SubpixelStorage::allocations() const {
-  return {triangles_.allocation(), minimum_.allocation(), tables_.allocation()};
+  return {triangles_.allocation(), minimum_.allocation(), tables_.allocation(), constants_.allocation()};
 }
 
 }  // namespace shadewright::shadow

@@ -1,181 +1,135 @@
 // subpixel: a texel keeps the triangle whose minimum depth in it is the least (SPSM 2014).
 // The storage module of a look-up; needs a parameterization before it.
 //
-// A receiver on the texel's own plane is lit; one behind the texel's or a neighbour's triangle is shadowed; of the others, the
-// pattern of occluded texels around tells on which side the shadow's border lies, and the edges of their triangles where.
-#include "shadow/storage/subpixel/coverage.glsl"
-#include "shadow/storage/subpixel/texel.glsl"
+// A receiver before its texel's minimum depth, or on the texel's own plane, is lit; one behind the texel's or a neighbour's triangle is
+// shadowed; of the others, the edges of the triangles around tell.
+#include "shadow/storage/subpixel/occluder.glsl"
+#include "shadow/storage/subpixel/silhouette.glsl"
+#include "shadow/storage/subpixel/tangents.glsl"
 
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 2) uniform usampler2DArray subpixel_map;
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 3) uniform sampler2DArray subpixel_minimum;  // consistent minimum depth
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 4, scalar) readonly buffer SubpixelTable { SubpixelTables subpixel_tables; };
+#define STORAGE_DECISIONS 3  // so many ways to come to an answer, from 1 on; `storage_decision` tells which
 
-// How the last receiver was decided (figure 14).
-const uint decided_by_one_texel = 1, decided_by_neighbours = 2, decided_by_recovery = 3;
-uint subpixel_decision;
+// How the last receiver was decided (figure 14), by which of the 3x3 texels, and the nearest place of the shadow's border that recovery
+// found, in texels from the receiver.
+uint storage_decision;
+int subpixel_decider;
+vec2 subpixel_border;
 
-// The triangle of one texel. Places are relative to the receiver, in texels.
-struct Occluder {
-  uvec3 words;
-  bool large;
-  vec2 centre;
-  float depth;      // of its plane at the receiver
-  float tolerance;  // how far that may be off
-};
+const ivec2 subpixel_order[9] = ivec2[9](ivec2(0, 0), ivec2(1, 0), ivec2(0, 1), ivec2(1, 1), ivec2(-1, 0), ivec2(0, -1), ivec2(-1, 1),
+                                         ivec2(1, -1), ivec2(-1, -1));
 
-Occluder occluder_at(ivec3 address, vec2 centre, float minimum, MapPoint p) {
-  uvec4 texel = texelFetch(subpixel_map, address, 0);
-  SlopeCoding coding = subpixel_tables.coding;
-  uint mark = (1 << coding.bits) - 1;
-  uint code_x = texel.a >> (32 - coding.bits), code_y = (texel.a >> (32 - 2 * coding.bits)) & mark;
-  Occluder o;
-  o.words = texel.rgb;
-  o.large = code_x == mark;
-  o.centre = centre;
-  if (o.large) code_x = (texel.r >> 28) | ((texel.g >> 28) << 4) | ((texel.b >> 28) << 8);
-  SlopeEntry x = subpixel_tables.slopes[code_x], y = subpixel_tables.slopes[code_y];
-  float unit = map_views[p.layer].slope_unit;
-  float reach = depth_reach(x, y) * unit;
-  float depth = coding.absolute_depth != 0 ? float(texel.a & 0xffffu) / 65535.0
-                                           : minimum + reach * (float(texel.a & 0x3ffu) / 511.0 - 1.0);
-  float step = coding.absolute_depth != 0 ? 0.5 / 65535.0 : reach / 1022.0;
-  o.depth = depth - unit * (centre.x * x.slope + centre.y * y.slope);  // equation 1
-  o.tolerance = step + unit * (abs(centre.x) * x.error + abs(centre.y) * y.error);
-  return o;
-}
+ivec2 subpixel_offset(int i) { return ivec2(i % 3, i / 3) - 1; }
 
-// Whether the receiver lies behind the triangle's area (algorithm 1), seen from the light.
-bool occluder_covers(Occluder o) {
-  if (o.large) {
-    for (uint i = 0; i < 3; ++i) {
-      vec3 line = decode_line(o.words[i]);
-      if (dot(line.xy, -o.centre) > line.z) return false;
-    }
-    return true;
-  }
-  return in_triangle(-o.centre, decode_vertex(o.words.x), decode_vertex(o.words.y), decode_vertex(o.words.z));
-}
-
-// The border of the shadow along one tangent, as piecewise linear as the occluders' edges are: how deep in the shadow it lies,
-// at the receiver, and the nearest of its vertices to both sides.
-struct Border {
-  float spanning;     // least depth of an edge that spans the receiver
-  vec2 left, right;   // along the tangent, into the shadow
-};
-
-void border_add_edge(inout Border border, vec2 from, vec2 to, vec2 normal) {
-  vec2 tangent = vec2(normal.y, -normal.x);
-  vec2 a = vec2(dot(from, tangent), dot(from, normal)), b = vec2(dot(to, tangent), dot(to, normal));
-  if (a.x > b.x) {
-    vec2 swap = a;
-    a = b;
-    b = swap;
-  }
-  if (a.x <= 0.0 && b.x >= 0.0) {
-    float depth = b.x - a.x < 1e-6 ? min(a.y, b.y) : mix(a.y, b.y, -a.x / (b.x - a.x));
-    border.spanning = min(border.spanning, depth);
-  } else if (b.x < 0.0) {
-    if (b.x > border.left.x || (b.x == border.left.x && b.y < border.left.y)) border.left = b;
-  } else {
-    if (a.x < border.right.x || (a.x == border.right.x && a.y < border.right.y)) border.right = a;
-  }
-}
-
-// Adds the edges of `o` that look towards the light's side of the border.
-void border_add(inout Border border, Occluder o, vec2 normal) {
-  if (o.large) {
-    vec3 lines[3] = vec3[3](decode_line(o.words.x), decode_line(o.words.y), decode_line(o.words.z));
-    for (uint i = 0; i < 3; ++i) {
-      vec3 l = lines[i];
-      if (dot(l.xy, normal) >= 0.0 || abs(l.z) >= line_reach - 1.0) continue;
-      // The line's part within the other two, and within sight.
-      vec2 foot = l.xy * l.z, along = vec2(-l.y, l.x);
-      float from = -line_reach, to = line_reach;
-      for (uint k = 1; k < 3; ++k) {
-        vec3 m = lines[(i + k) % 3];
-        float rate = dot(m.xy, along), room = m.z - dot(m.xy, foot);
-        if (rate > 1e-6) to = min(to, room / rate);
-        else if (rate < -1e-6) from = max(from, room / rate);
-        else if (room < 0.0) to = -line_reach - 1.0;
-      }
-      if (from < to) border_add_edge(border, o.centre + foot + from * along, o.centre + foot + to * along, normal);
-    }
-    return;
-  }
-  vec2 v[3] = vec2[3](decode_vertex(o.words.x), decode_vertex(o.words.y), decode_vertex(o.words.z));
-  float area = cross2(v[1] - v[0], v[2] - v[0]);
-  for (uint i = 0; i < 3; ++i) {
-    vec2 from = v[i], to = v[(i + 1) % 3], edge = to - from;
-    if (dot(vec2(edge.y, -edge.x), normal) * area < 0.0) border_add_edge(border, o.centre + from, o.centre + to, normal);
-  }
-}
-
-// How far behind the border the receiver lies, in texels: positive is shadowed.
-float border_behind(Border border, bool left_occluded, bool right_occluded) {
-  const float none = 1e9;
-  if (border.spanning < none) return -border.spanning;
-  bool left = border.left.x > -none, right = border.right.x < none;
-  if (left && right) return -mix(border.left.y, border.right.y, border.left.x / (border.left.x - border.right.x));
-  if (left && right_occluded) return -border.left.y;
-  if (right && left_occluded) return -border.right.y;
-  return -none;
-}
-
-float storage_visible(MapPoint p) {
-  subpixel_decision = decided_by_one_texel;
+// Whether there is a triangle in texel `i` of the 3x3 around `p`, whose own texel's centre is at `centre`.
+bool subpixel_fetch(MapPoint p, vec2 centre, int i, out Occluder o) {
+  ivec2 offset = subpixel_offset(i);
   ivec3 address;
-  if (!p.valid || !map_fetch(p, ivec2(0), address)) return 1.0;
-  float tolerance = lookup.bias_scale * p.tolerance;
+  if (!map_fetch(p, offset, address)) return false;
   float minimum = texelFetch(subpixel_minimum, address, 0).r;
-  if (minimum >= p.depth - tolerance || minimum == 1.0) return 1.0;
+  if (minimum == 1.0) return false;
+  o = occluder_at(address, centre + vec2(offset), minimum, p);
+  return true;
+}
 
-  vec2 centre = vec2(address.xy) + 0.5 - p.uv / p.texel;  // of the texel, from the receiver
-  vec2 slope = p.gradient * p.texel;
-  float slack = 0.5 * (abs(slope.x) + abs(slope.y)) + tolerance;
-  float least[9];
-  uint pattern = 0, nearer = 0;
+bool subpixel_behind_silhouette(MapPoint p, vec2 centre) {
+  Silhouette s = no_silhouette;
+  uint occluded = 0;
+  Occluder o;
   for (int i = 0; i < 9; ++i) {
-    ivec2 offset = ivec2(i % 3, i / 3) - 1;
-    ivec3 at;
-    least[i] = map_fetch(p, offset, at) ? texelFetch(subpixel_minimum, at, 0).r : 1.0;
-    if (least[i] < 1.0 && least[i] < p.depth + dot(centre + vec2(offset), slope) - slack) pattern |= 1u << i;
-    if (least[i] < min(p.depth - tolerance, 1.0)) nearer |= 1u << i;
+    if (!subpixel_fetch(p, centre, i, o) || !occluder_before(o)) continue;
+    silhouette_add(s, o);
+    ++occluded;
   }
-  uint count = subpixel_tables.tangent_counts[pattern];
+  subpixel_border = s.border;
+  return silhouette_shadows(s, occluded == 9);
+}
 
-  // The texel's own triangle first, then its neighbours'.
-  for (int k = 4; k < 13; ++k) {
-    int i = k % 9;
-    if ((nearer & (1u << i)) == 0) continue;
-    ivec2 offset = ivec2(i % 3, i / 3) - 1;
-    ivec3 at;
-    map_fetch(p, offset, at);
-    Occluder o = occluder_at(at, centre + vec2(offset), least[i], p);
-    float own = tolerance + lookup.bias_scale * o.tolerance;
-    if (i == 4 && abs(o.depth - p.depth) <= own) return 1.0;
-    if (o.depth < p.depth - own && occluder_covers(o)) return 0.0;
-    if (count == tangents_shadowed && subpixel_tables.recovery != 0) return 0.0;
-    subpixel_decision = decided_by_neighbours;
-  }
-  if (count == tangents_lit || subpixel_tables.recovery == 0) return 1.0;
-  subpixel_decision = decided_by_recovery;
+bool subpixel_behind_tangents(MapPoint p, vec2 centre) {
+  uint pattern = 0;
+  Occluder o;
+  for (int i = 0; i < 9; ++i)
+    if (subpixel_fetch(p, centre, i, o) && occluder_before(o)) pattern |= 1u << i;
+  uint count = subpixel_tables.tangent_counts[pattern];
+  subpixel_border = vec2(silhouette_none);
+  if (count == tangents_lit || count == tangents_shadowed) return count == tangents_shadowed;
   float behind = 1e9;
   for (uint k = 0; k < count; ++k) {
     vec2 normal = subpixel_tables.tangents[4 * pattern + k];
     Border border = Border(1e9, vec2(-1e9, 0.0), vec2(1e9, 0.0));
     bool left_occluded = false, right_occluded = false;
     for (int i = 0; i < 9; ++i) {
-      if ((pattern & (1u << i)) == 0) continue;
-      ivec2 offset = ivec2(i % 3, i / 3) - 1;
-      ivec3 at;
-      map_fetch(p, offset, at);
-      Occluder o = occluder_at(at, centre + vec2(offset), least[i], p);
+      if ((pattern & (1u << i)) == 0 || !subpixel_fetch(p, centre, i, o)) continue;
       border_add(border, o, normal);
-      float along = dot(vec2(offset), vec2(normal.y, -normal.x));
+      float along = dot(vec2(subpixel_offset(i)), vec2(normal.y, -normal.x));
       if (along < -0.5) left_occluded = true;
       if (along > 0.5) right_occluded = true;
     }
-    behind = min(behind, border_behind(border, left_occluded, right_occluded));
+    float behind_this = border_behind(border, left_occluded, right_occluded);
+    if (behind_this < behind) subpixel_border = -behind_this * normal;
+    behind = min(behind, behind_this);
   }
-  return behind > 0.0 ? 0.0 : 1.0;
+  return behind > 0.0;
+}
+
+float storage_visible(MapPoint p) {
+  storage_decision = decided_by_one_texel;
+  subpixel_decider = 4;
+  ivec3 address;
+  if (!p.valid || !map_fetch(p, ivec2(0), address)) return 1.0;
+  if (texelFetch(subpixel_minimum, address, 0).r >= min(p.depth - lookup.bias_scale * p.tolerance, 1.0)) return 1.0;
+
+  // The texel's own triangle first, then the neighbours', those on the receiver's side before the others.
+  vec2 centre = vec2(address.xy) + 0.5 - p.uv / p.texel;  // of the texel, from the receiver
+  ivec2 side = ivec2(centre.x < 0.0 ? 1 : -1, centre.y < 0.0 ? 1 : -1);
+  Occluder o;
+  for (int k = 0; k < 9; ++k) {
+    ivec2 offset = subpixel_order[k] * side;
+    int i = 3 * offset.y + offset.x + 4;
+    if (!subpixel_fetch(p, centre, i, o)) continue;
+    float error = occluder_error(o, vec2(0.0));
+    if (k == 0 && !o.averted && abs(o.depth) <= error) return 1.0;
+    if (o.depth < -error && occluder_holds(o, vec2(0.0))) {
+      storage_decision = k == 0 ? decided_by_one_texel : decided_by_neighbours;
+      subpixel_decider = i;
+      return 0.0;
+    }
+  }
+  storage_decision = decided_by_recovery;
+  if (subpixel.recovery == recovery_off) {
+    storage_decision = decided_by_neighbours;
+    return 1.0;
+  }
+  bool behind = subpixel.recovery == recovery_tangents ? subpixel_behind_tangents(p, centre) : subpixel_behind_silhouette(p, centre);
+  return behind ? 0.0 : 1.0;
+}
+
+// The nearest place of the shadow's border to the receiver of the last `storage_visible`, which answered `visible`: texels from it, far
+// away where none is known.
+vec2 storage_border(MapPoint p, float visible) {
+  const vec2 none = vec2(silhouette_none);
+  if (!p.valid) return none;
+  if (storage_decision == decided_by_recovery) return subpixel_border;
+  vec2 centre = 0.5 - fract(p.uv / p.texel), slope = p.gradient * p.texel;
+  Occluder o;
+  if (visible == 0.0) {
+    // Under a triangle: its silhouettes, and where it passes through the receiver's plane.
+    if (!subpixel_fetch(p, centre, subpixel_decider, o)) return none;
+    vec2 border = -o.depth / max(dot(o.gradient, o.gradient), 1e-30) * o.gradient;
+    for (uint i = 0; i < 3; ++i) {
+      vec2 from, to, normal;
+      if (decode_silhouette(o.words[i]) && occluder_edge(o, i, from, to, normal)) nearer(border, nearest_place(from, to));
+    }
+    return border;
+  }
+  float threshold = map_threshold(p);
+  Silhouette s = no_silhouette;
+  for (int i = 0; i < 9; ++i) {
+    ivec2 offset = subpixel_offset(i);
+    ivec3 address;
+    if (map_fetch(p, offset, address) &&
+        texelFetch(subpixel_minimum, address, 0).r < min(threshold + dot(centre + vec2(offset), slope), 1.0) &&
+        subpixel_fetch(p, centre, i, o))
+      silhouette_add(s, o);
+  }
+  return s.border;
 }

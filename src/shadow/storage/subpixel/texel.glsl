@@ -5,7 +5,7 @@
 #include "shadow/storage/subpixel/shared.h"
 
 const float vertex_step = 1.0 / 256.0;
-const float vertex_reach = 127.9;  // texels from the centre: what signed 16 bits hold
+const float vertex_reach = 63.9;  // texels from the centre: what signed 15 bits hold
 const float line_reach = 7.99;     // beyond, an edge is out of every look-up's sight
 
 // Equation 3.
@@ -18,24 +18,31 @@ uint encode_slope(SlopeCoding coding, float slope) {
 // How far depth may lie from the minimum over a texel, given its decoded slopes.
 float depth_reach(SlopeEntry x, SlopeEntry y) { return 0.5 * (abs(x.slope) + x.error + abs(y.slope) + y.error); }
 
-uint encode_vertex(vec2 from_centre) {
+// A vertex; whether the edge to the next one is a silhouette; and a bit more.
+uint encode_vertex(vec2 from_centre, uint silhouette, uint spare) {
   ivec2 v = ivec2(from_centre / vertex_step);  // whole already
-  return (uint(v.x) & 0xffffu) | (uint(v.y) << 16);
+  return (uint(v.x) & 0x7fffu) | (silhouette << 15) | ((uint(v.y) & 0x7fffu) << 16) | (spare << 31);
 }
-vec2 decode_vertex(uint word) { return vec2(bitfieldExtract(int(word), 0, 16), int(word) >> 16) * vertex_step; }
+vec2 decode_vertex(uint word) {
+  return vec2(bitfieldExtract(int(word), 0, 15), bitfieldExtract(int(word), 16, 15)) * vertex_step;
+}
 
-// The line through an edge, its normal pointing out of the triangle, of any length; `spare` are 4 bits more. The angle is measured
-// around a square, not a circle, which needs no trigonometry: x falls from 1 to -1 in the upper half and rises in the lower.
-uint encode_line(vec2 normal, float distance, uint spare) {
+// The line through an edge, its normal pointing out of the triangle, of any length; whether it is a silhouette; `spare` are 4 bits
+// more. The angle is measured around a square, not a circle, which needs no trigonometry: x falls from 1 to -1 in the upper half and
+// rises in the lower.
+uint encode_line(vec2 normal, float distance, uint silhouette, uint spare) {
   float x = normal.x / (abs(normal.x) + abs(normal.y));
-  uint angle = uint(int(round((normal.y < 0.0 ? x - 1.0 : 1.0 - x) * 16384.0))) & 0xffffu;
+  uint angle = uint(int(round((normal.y < 0.0 ? x - 1.0 : 1.0 - x) * 8192.0))) & 0x7fffu;
   int d = int(round(clamp(distance, -line_reach, line_reach) / vertex_step));
-  return angle | ((uint(d) & 0xfffu) << 16) | (spare << 28);
+  return angle | (silhouette << 15) | ((uint(d) & 0xfffu) << 16) | (spare << 28);
 }
 vec3 decode_line(uint word) {
-  float angle = float(bitfieldExtract(int(word), 0, 16)) / 16384.0;
+  float angle = float(bitfieldExtract(int(word), 0, 15)) / 8192.0;
   float x = 1.0 - abs(angle), y = (1.0 - abs(x)) * (angle < 0.0 ? -1.0 : 1.0);
   return vec3(normalize(vec2(x, y)), float(bitfieldExtract(int(word), 16, 12)) * vertex_step);
 }
+
+// Of vertices and lines alike.
+bool decode_silhouette(uint word) { return (word & 0x8000u) != 0; }
 
 #endif

@@ -1,0 +1,42 @@
+// Silhouette recovery by known silhouettes, ours: each triangle tells which of its edges are silhouettes, so that a receiver that no
+// triangle covers needs no guess at the border's direction. Beyond a silhouette, or where a surface passes through the
+// receiver's plane, there is light; beyond any other edge the surface goes on, over a triangle that no texel kept.
+
+struct Silhouette {
+  vec2 border;  // the nearest place where a surface ends: texels from the receiver,
+  float inner;  // and how far the nearest edge is, squared, beyond which one goes on towards the receiver
+};
+const float silhouette_none = 1e4;  // texels: out of sight
+const Silhouette no_silhouette = Silhouette(vec2(silhouette_none), 4.0 * silhouette_none * silhouette_none);
+
+vec2 nearest_place(vec2 from, vec2 to) {
+  vec2 along = to - from;
+  return from + clamp(-dot(from, along) / max(dot(along, along), 1e-12), 0.0, 1.0) * along;
+}
+
+void nearer(inout vec2 place, vec2 other) {
+  if (dot(other, other) < dot(place, place)) place = other;
+}
+
+void silhouette_add(inout Silhouette s, Occluder o) {
+  bool before = o.depth < 0.0;  // its plane, at the receiver
+  vec2 crossings[2];
+  uint crossing_count = 0;
+  for (uint i = 0; i < 3; ++i) {
+    vec2 from, to, outward, crossing;
+    bool crosses;
+    if (!occluder_edge(o, i, from, to, outward) || !occluder_clip(o, from, to, crossing, crosses)) continue;
+    if (crosses && crossing_count < 2) crossings[crossing_count++] = crossing;
+    if (dot(outward, from) >= 0.0) continue;
+    vec2 place = nearest_place(from, to);
+    if (before && !decode_silhouette(o.words[i])) s.inner = min(s.inner, dot(place, place));
+    else nearer(s.border, place);
+  }
+  if (crossing_count == 2 && !before) nearer(s.border, nearest_place(crossings[0], crossings[1]));
+}
+
+// Of neighbouring edges both end at the same place: a silhouette decides then. Where all nine texels are occluded no
+// silhouette but that of what lies before the surface is likely to be in sight.
+bool silhouette_shadows(Silhouette s, bool all_occluded) {
+  return s.inner < dot(s.border, s.border) - 1e-4 || (all_occluded && s.inner < no_silhouette.inner);
+}
