@@ -36,7 +36,7 @@ void main() {
     if ((instances[instance].kind & views[view].kinds) == 0 || outside(instances[instance], cluster, view)) continue;
     mat3x4 rows = transpose(instances[instance].world_from_mesh);
     uint body = cluster.body | (determinant(mat3(instances[instance].world_from_mesh)) < 0.0 ? body_mirrored : 0);
-    visible[base + count++] = VisibleInstance(vec4[3](rows[0], rows[1], rows[2]), instances[instance].albedo, cluster.first_index / 3 | body);
+    visible[base + count++] = VisibleInstance(vec4[3](rows[0], rows[1], rows[2]), instances[instance].albedo, cluster.first_index / 3 | body, 0);
   }
   draws[view * constants.cluster_count + slot] = DrawCommand(cluster.index_count, count, cluster.first_index, 0, base);
 }

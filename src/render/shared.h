@@ -30,6 +30,7 @@ struct VisibleInstance {
   vec4 world_from_mesh_rows[3];
   uint albedo;
   uint first_triangle;  // of the cluster, into the triangle normals; and the bits of its body
+  uint part;            // of what is drawn into, where that has parts: culling writes 0
 };
 
 // In VisibleInstance::first_triangle: the cluster bounds closed bodies, and the instance turns its triangles' winding.

@@ -59,12 +59,16 @@ void ViewCasterDraws::draw(const vk::raii::CommandBuffer& commands, const Frame&
   if (frame.draw_casters) frame.draw_casters({commands, index, view, lookup_set});
 }
 
+std::vector<gpu::Binding> ViewCasterDraws::neighbours(const gpu::Buffer& visible) const {
+  using gpu::Binding;
+  if (!neighbours_) return {};
+  return {Binding::storage(scene_->positions()), Binding::storage(scene_->triangle_neighbours()),
+          Binding::storage(visible)};
+}
+
 void ViewCasterDraws::draw_scene(const vk::raii::CommandBuffer& commands, uint32_t index,
                                  vk::DescriptorSet lookup_set) const {
-  const gpu::Binding bindings[] = {gpu::Binding::storage(scene_->positions()),
-                                   gpu::Binding::storage(scene_->triangle_neighbours()),
-                                   gpu::Binding::storage(draws_->visible())};
-  pass_.bind(commands, std::span(bindings, neighbours_ ? 3 : 0), gpu::bytes_of(index), std::span(&lookup_set, 1));
+  pass_.bind(commands, neighbours(draws_->visible()), gpu::bytes_of(index), std::span(&lookup_set, 1));
   draws_->draw(commands, index);
 }
 

@@ -23,13 +23,15 @@ class ViewCasterDraws : public CasterDraws {
  protected:
   /// The pipeline's description, for a parameterization that makes further ones like it.
   static gpu::GraphicsDesc describe(const CasterPipelineDesc& desc);
+  /// What render/scene_neighbours.glsl declares, if the storage asked for it; `visible` holds what is drawn.
+  std::vector<gpu::Binding> neighbours(const gpu::Buffer& visible) const;
   /// Draws the scene's casters into target `index`.
   virtual void draw_scene(const vk::raii::CommandBuffer& commands, uint32_t index, vk::DescriptorSet lookup_set) const;
 
   std::optional<render::CulledDraws> draws_;
   const render::SceneGpu* scene_ = nullptr;  ///< whose draws these are
   gpu::GraphicsPass pass_;
-  bool neighbours_ = false;  ///< whether its geometry stage reads them
+  bool neighbours_ = false;  ///< whether its geometry stage reads what lies across edges
 
  private:
   uint32_t max_views_, frames_in_flight_;

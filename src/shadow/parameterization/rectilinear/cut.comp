@@ -14,7 +14,7 @@ layout(set = 0, binding = 1, scalar) readonly buffer Order { uint order[]; };
 layout(set = 0, binding = 2, scalar) readonly buffer Draws { DrawCommand draws[]; };
 layout(set = 0, binding = 3, scalar) readonly buffer Visible { VisibleInstance visible[]; };
 layout(set = 0, binding = 4, scalar) writeonly buffer CutDraws { DrawCommand cut_draws[]; };
-layout(set = 0, binding = 5, scalar) writeonly buffer Pieces { CasterPiece pieces[]; };
+layout(set = 0, binding = 5, scalar) writeonly buffer Pieces { VisibleInstance pieces[]; };
 layout(set = 0, binding = 6, scalar) buffer Figures { CutFigures figures; };
 layout(push_constant, scalar) uniform Push { CutConstants constants; };
 
@@ -63,12 +63,15 @@ void main() {
     VisibleInstance instance = visible[all.first_instance + i];
     Segments s = segments_of(instance, cluster);
     if (s.count > 1 && !cut) {
-      pieces[piece++] = CasterPiece(instance, uncut);
+      instance.part = uncut;
+      pieces[piece++] = instance;
       continue;
     }
     uint width = s.last.x - s.first.x + 1;
-    for (uint k = 0; k < s.count; ++k)
-      pieces[piece++] = CasterPiece(instance, (s.first.x + k % width) | ((s.first.y + k / width) << 16));
+    for (uint k = 0; k < s.count; ++k) {
+      instance.part = (s.first.x + k % width) | ((s.first.y + k / width) << 16);
+      pieces[piece++] = instance;
+    }
   }
   cut_draws[slot] = DrawCommand(all.index_count, piece - base, all.first_index, 0, base);
 }

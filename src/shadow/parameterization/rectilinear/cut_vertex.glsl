@@ -10,10 +10,6 @@ out gl_PerVertex {
   float gl_ClipDistance[4];
 };
 
-float segment_end(uint axis, uint segment) {
-  return segment + 1 < warp.segment_counts[axis] ? warp_segments[axis * warp.cells + segment + 1].start : 1.0;
-}
-
 vec4 caster_position(uint view) {
   vec4 p = map_caster_flat(scene_world_position(), view);
   for (int i = 0; i < 4; ++i) gl_ClipDistance[i] = 1.0;

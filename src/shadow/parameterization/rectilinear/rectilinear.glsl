@@ -23,6 +23,10 @@ float warp_axis(uint axis, float x, out WarpSegment s) {
   return s.start + s.slope * (x - s.flat_start);
 }
 
+float segment_end(uint axis, uint segment) {
+  return segment + 1 < warp.segment_counts[axis] ? warp_segments[axis * warp.cells + segment + 1].start : 1.0;
+}
+
 vec2 warp_point(vec2 at_flat) {
   WarpSegment s;
   return vec2(warp_axis(0, at_flat.x, s), warp_axis(1, at_flat.y, s));
@@ -53,6 +57,27 @@ MapPoint map_point(vec3 world, vec4 plane) {
   // The rasterizer's snapping, and where casters are not cut what edges may bend and be drawn as straight.
   p.tolerance += dot(abs(p.gradient), p.texel) * (warp.cut != 0 ? snapping_texels : snapping_texels + straight_texels);
   return p;
+}
+
+// `p` as all texels would see it whose segments are those of `texel`: what is stored there is linear in these.
+MapPoint map_in_frame_of(MapPoint p, ivec2 texel) {
+  for (uint axis = 0; axis < 2; ++axis) {
+    float at_flat = warp_flats[axis * (2 * warp.resolution + 1) + 2 * uint(texel[axis]) + 1];
+    WarpSegment s;
+    warp_axis(axis, at_flat, s);
+    p.uv[axis] = s.start + s.slope * (p.flat_uv[axis] - s.flat_start);
+    p.gradient[axis] = p.flat_gradient[axis] / s.slope;
+  }
+  return p;
+}
+
+// The texels of a piece of a caster that is cut, as clip distances of a place in texels.
+vec4 map_cut_distances(uint part, vec2 at) {
+  if (part == uncut) return vec4(1.0);
+  uvec2 segment = uvec2(part & 0xffffu, part >> 16);
+  vec2 low = vec2(warp_segments[segment.x].start, warp_segments[warp.cells + segment.y].start);
+  vec2 high = vec2(segment_end(0, segment.x), segment_end(1, segment.y));
+  return vec4(at - low * lookup.map_size, high * lookup.map_size - at).xzyw;
 }
 
 // Homogeneous flat coordinates of a caster: (x w, y w, z, w).

@@ -96,6 +96,17 @@ TEST_F(RectilinearTest, BeatsUniformOfTheSameSize) {
   EXPECT_LT(wrong(study, "rtw@1024,analysis=forward"), 1.2 * plain);
 }
 
+TEST_F(RectilinearTest, ImprovesOtherStorages) {
+  const Scene scene = make_builtin("lattice");
+  compare::Study study(device(), scene, scene.cameras.front(), scene.lights.front(), small());
+  const double depth = wrong(study, "rtw@512"), subpixel = wrong(study, "rectilinear/subpixel@512");
+  EXPECT_LT(subpixel, 0.5 * depth);
+  EXPECT_LT(subpixel, 0.7 * wrong(study, "spsm@512"));
+  EXPECT_LT(wrong(study, "rectilinear/triangle@512"), wrong(study, "rgsm@512"));
+  EXPECT_LT(wrong(study, "rectilinear/moments/pcf@512"), wrong(study, "vsm@512"));
+  EXPECT_THROW(run(study, "rectilinear/subpixel@512,tessellation=off"), InputError);
+}
+
 TEST_F(RectilinearTest, KeepsTheNearFieldOfALongView) {
   const Scene scene = avenue(5000);
   compare::Study study(device(), scene, scene.cameras.front(), scene.lights.front(), small());

@@ -104,13 +104,8 @@ struct WarpFigures {
   uint orientation;
 };
 
-/// A cluster of an instance in one segment along u and one along v, as instance-rate vertex attributes.
-struct CasterPiece {
-  VisibleInstance instance;
-  uint segments;  // u, v << 16, or `uncut`
-};
-
-/// Not cut, for want of room: the vertices are warped, the edges between them straight.
+/// VisibleInstance::part of a cluster of an instance in segment u along u and v along v: u | v << 16, or `uncut`.
+/// The latter for want of room: the vertices are warped, the edges between them straight.
 const uint uncut = 0xffffffffu;
 
 struct CutConstants {

@@ -15,7 +15,7 @@ layout(set = 0, binding = 1, scalar) readonly buffer Order { uint order[]; };
 layout(set = 0, binding = 2, scalar) readonly buffer Draws { DrawCommand draws[]; };
 layout(set = 0, binding = 3, scalar) readonly buffer Visible { VisibleInstance visible[]; };
 layout(set = 0, binding = 4, scalar) writeonly buffer StraightDraws { DrawCommand straight_draws[]; };
-layout(set = 0, binding = 5, scalar) writeonly buffer Pieces { CasterPiece pieces[]; };
+layout(set = 0, binding = 5, scalar) writeonly buffer Pieces { VisibleInstance pieces[]; };
 layout(set = 0, binding = 6, scalar) writeonly buffer BentDraws { DrawCommand bent_draws[]; };
 layout(push_constant, scalar) uniform Push { CutConstants constants; };
 
@@ -70,8 +70,9 @@ void main() {
   for (uint i = 0; i < all.instance_count; ++i) {
     VisibleInstance instance = visible[first + i];
     uint kind = kind_of(instance, cluster);
-    if (kind == straight) pieces[straight_end++] = CasterPiece(instance, uncut);
-    else if (kind == bent) pieces[--bent_begin] = CasterPiece(instance, uncut);
+    instance.part = uncut;
+    if (kind == straight) pieces[straight_end++] = instance;
+    else if (kind == bent) pieces[--bent_begin] = instance;
   }
   straight_draws[slot] = DrawCommand(all.index_count, straight_end - first, all.first_index, 0, first);
   bent_draws[slot] = DrawCommand(all.index_count, first + all.instance_count - bent_begin, all.first_index, 0, bent_begin);

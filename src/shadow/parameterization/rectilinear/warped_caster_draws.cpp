@@ -20,19 +20,19 @@ constexpr uint32_t first_spare = 1u << 15;  ///< room for pieces to begin with
 
 /// What cut_vertex.glsl reads besides the scene's vertex inputs.
 const vk::VertexInputAttributeDescription segments_input(6, 1, vk::Format::eR32Uint,
-                                                         offsetof(shared::CasterPiece, segments));
+                                                         offsetof(shared::VisibleInstance, part));
 
 }  // namespace
 
 void WarpedCasterDraws::make_pipelines(const gpu::Device& device, const CasterPipelineDesc& desc) {
   device_ = &device;
+  neighbours_ = desc.neighbours;
   const bool bends = WarpedCasterDraws::bends(desc.spec);
   using enum gpu::BindingKind;
   part_ =
       gpu::ComputePass(device, bends ? std::span<const uint32_t>(shaders::split_comp) : shaders::cut_comp,
                        std::vector(7, storage_buffer), sizeof(shared::CutConstants), std::span(&desc.lookup_layout, 1));
   gpu::GraphicsDesc pipeline = describe(desc);
-  pipeline.vertex_bindings[1].stride = sizeof(shared::CasterPiece);
   pipeline.vertex_attributes.push_back(segments_input);
   pass_ = gpu::GraphicsPass(device, pipeline);
   if (!bends) return;
@@ -50,8 +50,8 @@ void WarpedCasterDraws::make_pipelines(const gpu::Device& device, const CasterPi
 void WarpedCasterDraws::make_buffers(uint32_t spare) {
   const uint64_t clusters = scene_->cluster_count();
   spare_ = spare;
-  pieces_ =
-      gpu::Buffer(*device_, "shadow pieces", (uint64_t{scene_->list_capacity()} + spare) * sizeof(shared::CasterPiece));
+  pieces_ = gpu::Buffer(*device_, "shadow pieces",
+                        (uint64_t{scene_->list_capacity()} + spare) * sizeof(shared::VisibleInstance));
   piece_draws_ = gpu::Buffer(*device_, "shadow piece draws", clusters * sizeof(shared::DrawCommand));
   bent_draws_ = gpu::Buffer(*device_, "shadow bent draws", (bent_pass_ ? clusters : 1) * sizeof(shared::DrawCommand));
   figures_ = gpu::Buffer(*device_, "shadow cut figures", sizeof(shared::CutFigures), gpu::HostAccess::read);
@@ -93,7 +93,7 @@ void WarpedCasterDraws::draw_scene(const vk::raii::CommandBuffer& commands, uint
   commands.bindVertexBuffers(0, {scene_->positions().handle(), pieces_.handle()}, {0, 0});
   commands.bindIndexBuffer(scene_->indices().handle(), 0, vk::IndexType::eUint32);
   const auto draw = [&](const gpu::GraphicsPass& pass, const gpu::Buffer& draws) {
-    pass.bind(commands, {}, gpu::bytes_of(index), std::span(&lookup_set, 1));
+    pass.bind(commands, neighbours(pieces_), gpu::bytes_of(index), std::span(&lookup_set, 1));
     commands.drawIndexedIndirect(draws.handle(), 0, scene_->cluster_count(), sizeof(shared::DrawCommand));
   };
   draw(pass_, piece_draws_);

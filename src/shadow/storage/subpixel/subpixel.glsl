@@ -27,6 +27,10 @@ bool subpixel_fetch(MapPoint p, vec2 centre, int i, out Occluder o) {
   if (!map_fetch(p, offset, address)) return false;
   float minimum = texelFetch(subpixel_minimum, address, 0).r;
   if (minimum == 1.0) return false;
+#ifdef MAP_WARPED
+  p = map_in_frame_of(p, address.xy);
+  centre = vec2(address.xy) + 0.5 - p.uv / p.texel - vec2(offset);
+#endif
   o = occluder_at(address, centre + vec2(offset), minimum, p);
   return true;
 }
