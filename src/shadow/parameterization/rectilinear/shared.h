@@ -108,6 +108,10 @@ struct WarpFigures {
 /// The latter for want of room: the vertices are warped, the edges between them straight.
 const uint uncut = 0xffffffffu;
 
+/// Bent clusters are drawn by so many commands of so many triangles each: at a tessellation factor of 32 that is about
+/// 52,000 vertices, and lavapipe (Mesa 22.3) mixes them up beyond 65,536.
+const uint bent_draws_per_cluster = 8, bent_triangles_per_draw = 64;
+
 struct CutConstants {
   uint cluster_count;
   uint first_spare;  // pieces before it: one a visible instance

@@ -75,5 +75,10 @@ void main() {
     else if (kind == bent) pieces[--bent_begin] = instance;
   }
   straight_draws[slot] = DrawCommand(all.index_count, straight_end - first, all.first_index, 0, first);
-  bent_draws[slot] = DrawCommand(all.index_count, first + all.instance_count - bent_begin, all.first_index, 0, bent_begin);
+  for (uint i = 0; i < bent_draws_per_cluster; ++i) {
+    uint skipped = min(3 * i * bent_triangles_per_draw, all.index_count);
+    bent_draws[slot * bent_draws_per_cluster + i] =
+        DrawCommand(min(all.index_count - skipped, 3 * bent_triangles_per_draw), first + all.instance_count - bent_begin,
+                    all.first_index + skipped, 0, bent_begin);
+  }
 }

@@ -53,7 +53,8 @@ void WarpedCasterDraws::make_buffers(uint32_t spare) {
   pieces_ = gpu::Buffer(*device_, "shadow pieces",
                         (uint64_t{scene_->list_capacity()} + spare) * sizeof(shared::VisibleInstance));
   piece_draws_ = gpu::Buffer(*device_, "shadow piece draws", clusters * sizeof(shared::DrawCommand));
-  bent_draws_ = gpu::Buffer(*device_, "shadow bent draws", (bent_pass_ ? clusters : 1) * sizeof(shared::DrawCommand));
+  bent_draws_ = gpu::Buffer(*device_, "shadow bent draws",
+                            (bent_pass_ ? clusters * shared::bent_draws_per_cluster : 1) * sizeof(shared::DrawCommand));
   figures_ = gpu::Buffer(*device_, "shadow cut figures", sizeof(shared::CutFigures), gpu::HostAccess::read);
   std::ranges::fill(figures_.mapped<shared::CutFigures>(), shared::CutFigures{});
 }
@@ -92,12 +93,12 @@ void WarpedCasterDraws::draw_scene(const vk::raii::CommandBuffer& commands, uint
                                    vk::DescriptorSet lookup_set) const {
   commands.bindVertexBuffers(0, {scene_->positions().handle(), pieces_.handle()}, {0, 0});
   commands.bindIndexBuffer(scene_->indices().handle(), 0, vk::IndexType::eUint32);
-  const auto draw = [&](const gpu::GraphicsPass& pass, const gpu::Buffer& draws) {
+  const auto draw = [&](const gpu::GraphicsPass& pass, const gpu::Buffer& draws, uint32_t per_cluster) {
     pass.bind(commands, neighbours(pieces_), gpu::bytes_of(index), std::span(&lookup_set, 1));
-    commands.drawIndexedIndirect(draws.handle(), 0, scene_->cluster_count(), sizeof(shared::DrawCommand));
+    commands.drawIndexedIndirect(draws.handle(), 0, per_cluster * scene_->cluster_count(), sizeof(shared::DrawCommand));
   };
-  draw(pass_, piece_draws_);
-  if (bent_pass_) draw(*bent_pass_, bent_draws_);
+  draw(pass_, piece_draws_, 1);
+  if (bent_pass_) draw(*bent_pass_, bent_draws_, shared::bent_draws_per_cluster);
 }
 
 Counters WarpedCasterDraws::counters() const {
