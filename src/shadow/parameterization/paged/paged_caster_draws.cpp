@@ -84,7 +84,7 @@ void PagedCasterDraws::prepare(const Frame& frame, uint32_t, std::span<const Map
   constants_.triangle_capacity = static_cast<uint32_t>(triangles);
   // Half of the pairs may be inner ones; of the others most are small.
   for (uint32_t kind = 0; kind <= shared::pair_kinds; ++kind)
-    constants_.first_pair[kind] = static_cast<uint32_t>(pairs * std::array{0, 4, 7, 8}[kind] / 8);
+    constants_.first_pair[kind] = static_cast<uint32_t>(pairs * std::array<uint64_t, 4>{0, 4, 7, 8}[kind] / 8);
   touched_ = gpu::Buffer(device_, "touched clusters", clusters * sizeof(shared::PageCluster));
   late_ = gpu::Buffer(device_, "late clusters", clusters * sizeof(shared::PageCluster));
   pairs_ = gpu::Buffer(device_, "triangle-page pairs", pairs * sizeof(glm::uvec3));
