@@ -33,7 +33,7 @@ if(SHADEWRIGHT_RENDER)
 
   # What callers include in shaders of their own: each .glsl, and the headers that these share with C++.
   file(GLOB_RECURSE published CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}/src"
-       "${PROJECT_SOURCE_DIR}/src/*.glsl" "${PROJECT_SOURCE_DIR}/src/shared.h" "${PROJECT_SOURCE_DIR}/src/position_error.h" "${PROJECT_SOURCE_DIR}/src/pages.h")
+       "${PROJECT_SOURCE_DIR}/src/*.glsl" "${PROJECT_SOURCE_DIR}/src/shared.h" "${PROJECT_SOURCE_DIR}/src/position_error.h")
   foreach(file ${published})
     get_filename_component(folder "${file}" DIRECTORY)
     install(FILES "${PROJECT_SOURCE_DIR}/src/${file}" DESTINATION "${shadewright_glsl_folder}/${folder}")

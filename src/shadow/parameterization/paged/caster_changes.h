@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "shadewright/shadow/technique.h"
-#include "shadow/parameterization/paged/pages.h"
+#include "shadow/parameterization/paged/shared.h"
 
 namespace shadewright::shadow {
 

@@ -2,7 +2,7 @@
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
-#include "shadow/parameterization/paged/pages.h"
+#include "shadow/parameterization/paged/shared.h"
 
 layout(local_size_x = 1) in;
 layout(binding = 0, scalar) buffer StateOut { PageState state; };

@@ -2,7 +2,7 @@
 // The parameterization module of a look-up (architecture, section 1). MapPoint::layer holds the page that answers: its place in
 // the pool, its level and its face.
 #include "shadow/map_point.glsl"
-#include "shadow/parameterization/paged/pages.h"
+#include "shadow/parameterization/paged/shared.h"
 
 #define MAP_LEVELS 1  // map_level and map_point_at exist
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "shadow/caster_draws.h"
-#include "shadow/parameterization/paged/pages.h"
+#include "shadow/parameterization/paged/shared.h"
 
 namespace shadewright::shadow {
 

@@ -4,7 +4,7 @@
 #ifndef SHADEWRIGHT_PAGES_GLSL
 #define SHADEWRIGHT_PAGES_GLSL
 
-#include "shadow/parameterization/paged/pages.h"
+#include "shadow/parameterization/paged/shared.h"
 
 // Every second bit of x.
 uint z_curve_spread(uint x) {

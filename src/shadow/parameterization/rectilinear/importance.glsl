@@ -1,5 +1,5 @@
 // Importance functions (the paper's section 5), each in [0, inf): how many texels along u and along v a receiver deserves, relative
-// to others. Their product counts. Adding one is adding a bit to warp.h and a line to `importance`.
+// to others. Their product counts. Adding one is adding a bit to shared.h and a line to `importance`.
 // Needs receivers.glsl and map_views before it.
 
 // DE: a surface shrinks in the picture with its view depth. Relative to the near plane, so at most 1.

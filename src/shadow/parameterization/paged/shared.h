@@ -1,6 +1,6 @@
 // Structs of paged maps that C++ and GLSL share.
-#ifndef SHADEWRIGHT_PAGED_PAGES_H
-#define SHADEWRIGHT_PAGED_PAGES_H
+#ifndef SHADEWRIGHT_PAGED_SHARED_H
+#define SHADEWRIGHT_PAGED_SHARED_H
 
 #include "render/shared.h"
 
