@@ -18,8 +18,8 @@
 
 #include "gpu/scan.h"
 #include "shadow/parameterization/paged/caster_changes.h"
-#include "shadow/parameterization/paged/shared.h"
 #include "shadow/parameterization/paged/request_list.h"
+#include "shadow/parameterization/paged/shared.h"
 #include "shadow/parameterization/parameterization.h"
 #include "shadow/parameterization/uniform/fit.h"
 
