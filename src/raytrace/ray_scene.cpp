@@ -117,8 +117,9 @@ void RayScene::update(const Scene& scene, double time) {
     rtcCommitGeometry(geometry);
   }
   if (!any_moved) return;
-  // Flattened, this builds the hierarchy anew over all triangles. A dynamic scene, whose moved bodies are refitted, took
-  // as long to update (street, characters: 44 to 58 ms of processor time either way) and its rays up to a seventh longer.
+  // Flattened, this builds the hierarchy anew over all triangles. A dynamic scene, whose moved bodies are refitted,
+  // took as long to update (street, characters: 44 to 58 ms of processor time either way) and its rays up to a seventh
+  // longer.
   rtcCommitScene(scene_.get());
   check(device_.get(), "building the scene's hierarchy");
 }

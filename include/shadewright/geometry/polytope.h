@@ -40,8 +40,8 @@ Polytope clip(const Polytope& polytope, const Plane& plane);
 /// The part of `polytope` inside all `planes`.
 Polytope clip(const Polytope& polytope, std::span<const Plane> planes);
 
-/// `polytope` under a projective map whose w is positive on all of it. Faces keep their order; their planes are fitted to
-/// the mapped corners.
+/// `polytope` under a projective map whose w is positive on all of it. Faces keep their order; their planes are fitted
+/// to the mapped corners.
 Polytope transform(const glm::dmat4& to_from, const Polytope& polytope);
 
 /// Half-spaces whose intersection is the convex hull of `polytope` and a point: (position, 1), or (direction, 0) for a

@@ -53,8 +53,8 @@ class Tracer {
   Tracer& operator=(Tracer&&) noexcept;
 
   /// Moves to another time of `scene`, the one this was made of: only instances whose motion has moved them are
-  /// transformed again, and nothing is done if there are none. Answers are those of a Tracer made at that time. No query
-  /// may run meanwhile.
+  /// transformed again, and nothing is done if there are none. Answers are those of a Tracer made at that time. No
+  /// query may run meanwhile.
   void update(const Scene& scene, double time);
 
   /// For each point 1 where the light reaches it, else 0. Points that are invalid, face away from the light, or lie

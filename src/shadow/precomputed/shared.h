@@ -20,11 +20,11 @@ struct DagPlace {
 template <typename real, typename real4>
 #endif
 struct ReceiverRows {
-  real4 voxel[4];  // rows of voxel_from_world, for positions relative to `origin`
-  real4 light[3];  // rows of light_from_world
+  real4 voxel[4];                  // rows of voxel_from_world, for positions relative to `origin`
+  real4 light[3];                  // rows of light_from_world
   real reach_x, reach_y, reach_z;  // receiver offset for a light-space normal along an axis (a spot: at distance 1)
-  vec3 origin;  // near the eye where `real` is float, so that near receivers are exact
-  ivec3 base;   // whole voxels at `origin`, left out of the rows
+  vec3 origin;                     // near the eye where `real` is float, so that near receivers are exact
+  ivec3 base;                      // whole voxels at `origin`, left out of the rows
 };
 
 const uint max_dags = 16;
