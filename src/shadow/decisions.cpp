@@ -1,9 +1,9 @@
 #include "shadow/decisions.h"
 
 #include <array>
-#include <cstring>
 
 #include "shadow/lookup_shaders.h"
+#include "shadow/receiver_words.h"
 #include "shadow/storage/subpixel/shared.h"
 
 namespace shadewright::shadow {
@@ -41,30 +41,14 @@ std::vector<Allocation> Decisions::allocations() const {
 
 Picture decisions_picture(const gpu::Device& device, std::string_view maps, const ReceiverLookup& lookup,
                           bool six_faces) {
-  using enum gpu::BindingKind;
-  const gpu::ComputePass pass(device, decisions_shader(maps),
-                              {uniform_buffer, sampled_image, sampled_image, storage_buffer}, 0,
-                              std::span(&lookup.layout, 1), six_faces);
-  const size_t pixels = size_t{lookup.width} * lookup.height;
-  const gpu::Buffer decided(device, "decision of each pixel", pixels * sizeof(uint32_t));
-  gpu::submit_and_wait(device, [&](const vk::raii::CommandBuffer& commands) {
-    auto bindings = lookup.receivers;
-    bindings.push_back(gpu::Binding::storage(decided));
-    pass.dispatch(commands, bindings, {}, {gpu::groups(lookup.width, 8), gpu::groups(lookup.height, 8), 1},
-                  std::span(&lookup.set, 1));
-  });
-  const auto bytes = gpu::read_back(device, decided, pixels * sizeof(uint32_t));
   constexpr std::array<glm::u8vec4, 4> shadowed{
       {{20, 20, 20, 255}, {70, 70, 70, 255}, {20, 110, 30, 255}, {150, 20, 20, 255}}};
   constexpr std::array<glm::u8vec4, 4> lit{
       {{20, 20, 20, 255}, {200, 200, 200, 255}, {110, 220, 120, 255}, {255, 110, 100, 255}}};
   Picture picture{lookup.width, lookup.height, {}};
-  for (size_t i = 0; i < pixels; ++i) {
-    uint32_t decision;
-    std::memcpy(&decision, bytes.data() + i * sizeof(uint32_t), sizeof(uint32_t));
+  for (const uint32_t decision : receiver_words(device, decisions_shader(maps), lookup, six_faces))
     picture.pixels.push_back(decision >= shared::decided_lit ? lit[decision - shared::decided_lit]
                                                              : shadowed[decision]);
-  }
   return picture;
 }
 

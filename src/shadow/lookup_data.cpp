@@ -19,6 +19,10 @@ uint32_t light_kind(LightKind kind) {
 
 }  // namespace
 
+bool same_light(const Light& a, const Light& b) {
+  return a.kind == b.kind && a.direction == b.direction && a.position == b.position && a.outer_angle == b.outer_angle;
+}
+
 shared::LookupData lookup_data(const Frame& frame) {
   shared::LookupData lookup{};
   lookup.light_position = glm::vec3(frame.light.position);

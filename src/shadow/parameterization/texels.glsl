@@ -6,7 +6,4 @@ bool map_fetch(MapPoint p, ivec2 offset, out ivec3 address) {
   return all(greaterThanEqual(address.xy, ivec2(0))) && all(lessThan(address.xy, ivec2(lookup.map_size)));
 }
 
-Ray map_ray(MapPoint p, vec2 uv) {
-  vec3 near = map_unproject(p, uv, 0.0);
-  return Ray(near, normalize(map_unproject(p, uv, 1.0) - near));
-}
+#include "shadow/parameterization/ray.glsl"

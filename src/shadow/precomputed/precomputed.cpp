@@ -64,10 +64,6 @@ void check_light_of_file(const voxel::LightGrid& baked, const Light& light, cons
                    "bake the scene's light, or choose the baked one with --sun or --light");
 }
 
-bool same_light(const Light& a, const Light& b) {
-  return a.kind == b.kind && a.direction == b.direction && a.position == b.position && a.outer_angle == b.outer_angle;
-}
-
 /// Rows of the receivers' map: `real` is double, with the world's zero as origin, or float, with the eye's.
 template <typename Real, typename Real4>
 shared::ReceiverRows<Real, Real4> receiver_rows(const voxel::LightGrid& light, const glm::dvec3& eye) {

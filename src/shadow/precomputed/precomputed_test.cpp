@@ -13,41 +13,28 @@
 #include "shadewright/voxel/bake.h"
 #include "shadewright/voxel/file.h"
 #include "shadow/lookup_data.h"
+#include "shadow/view_for_test.h"
 
 namespace shadewright::shadow {
 namespace {
 
 constexpr uint32_t width = 320, height = 180;
 
-/// One view whose camera buffers techniques look shadows up for.
-class Stage {
+/// A view that also tells its receivers.
+class Stage : public ViewForTest {
  public:
   Stage(const gpu::Device& device, const Scene& scene, const Camera& camera, const Light& light)
-      : device_(device), scene_(scene), scene_gpu_(device, scene), pass_(scene_gpu_, width, height, false) {
-    frame_.scene = &scene_gpu_;
-    frame_.camera = render::make_view(camera, near_distance(scene, camera), width, height);
-    gpu::Recorder recorder(device);
-    pass_.record(recorder, frame_.camera);
-    recorder.finish();
-    frame_.depth = pass_.depth().view();
-    frame_.normal = pass_.normal().view();
-    frame_.light = light;
+      : ViewForTest(device, scene, camera, width, height), device_(device), scene_(scene) {
+    frame().light = light;
   }
-
-  const Frame& frame() const { return frame_; }
 
   std::unique_ptr<Precomputed> make(const std::string& spec) const {
     return std::make_unique<Precomputed>(device_, parse_spec(spec),
                                          TechniqueOptions{.width = width, .height = height, .scene = &scene_});
   }
 
-  /// Visibility in steps of 1/255.
   std::vector<uint8_t> look_up(Technique& technique) const {
-    gpu::Recorder recorder(device_);
-    technique.prepare(frame_, recorder);
-    technique.record(frame_, recorder);
-    recorder.finish();
-    const auto bytes = gpu::read_back(device_, technique.visibility(), 1);
+    const auto bytes = ViewForTest::look_up(technique);
     std::vector<uint8_t> values(bytes.size());
     std::memcpy(values.data(), bytes.data(), bytes.size());
     return values;
@@ -61,16 +48,16 @@ class Stage {
         {uniform_buffer, sampled_image, sampled_image, storage_buffer, storage_buffer, uniform_buffer});
     const gpu::Buffer camera(device_, "camera", sizeof(shared::CameraData), gpu::HostAccess::write),
         lookup(device_, "lookup", sizeof(shared::LookupData), gpu::HostAccess::write);
-    camera.mapped<shared::CameraData>()[0] = render::camera_data(frame_.camera);
-    lookup.mapped<shared::LookupData>()[0] = lookup_data(frame_);
+    camera.mapped<shared::CameraData>()[0] = render::camera_data(frame().camera);
+    lookup.mapped<shared::LookupData>()[0] = lookup_data(frame());
     const uint64_t bytes = uint64_t{width} * height * sizeof(glm::vec3);
     const gpu::Buffer positions(device_, "positions", bytes), normals(device_, "normals", bytes);
     const auto sampler = gpu::make_sampler(device_, vk::Filter::eNearest);
     gpu::submit_and_wait(device_, [&](const vk::raii::CommandBuffer& commands) {
       using gpu::Binding;
       const Binding bindings[] = {Binding::uniform(camera),
-                                  Binding::sampled(frame_.depth, *sampler),
-                                  Binding::sampled(frame_.normal, *sampler),
+                                  Binding::sampled(frame().depth, *sampler),
+                                  Binding::sampled(frame().normal, *sampler),
                                   Binding::storage(positions),
                                   Binding::storage(normals),
                                   Binding::uniform(lookup)};
@@ -90,9 +77,6 @@ class Stage {
  private:
   const gpu::Device& device_;
   const Scene& scene_;
-  render::SceneGpu scene_gpu_;
-  render::CameraPass pass_;
-  Frame frame_;
 };
 
 class PrecomputedTest : public gpu::DeviceTest {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <glm/gtc/matrix_access.hpp>
 
 #include "shaders/show_cascades_comp.h"
 #include "shadow/parameterization/cascaded/shared.h"
+#include "shadow/receiver_words.h"
 
 namespace shadewright::shadow {
 
@@ -77,7 +77,7 @@ void Cascaded::prepare(const Frame& frame, gpu::Recorder& recorder) {
   recorder.cpu_stage("fit", [&] {
     for (size_t i = 0; i < cascades_; ++i) {
       const std::vector<glm::dvec3> points = receivers_in(slice_planes(frame.camera, slices_[i]));
-      if (!light.perspective && !stable_) lights[i] = turn_to_fit(light, points);
+      if (!stable_) lights[i] = turn_to_fit(light, points);
       receivers[i] = receiver_bounds(lights[i], points);
     }
   });
@@ -163,19 +163,6 @@ std::vector<Allocation> Cascaded::allocations() const {
 }
 
 Picture Cascaded::debug_picture(std::string_view, const ReceiverLookup& lookup) {
-  using enum gpu::BindingKind;
-  const gpu::ComputePass pass(device_, shaders::show_cascades_comp,
-                              {uniform_buffer, sampled_image, sampled_image, storage_buffer}, 0,
-                              std::span(&lookup.layout, 1));
-  const size_t pixels = size_t{lookup.width} * lookup.height;
-  const gpu::Buffer chosen(device_, "cascade of each pixel", pixels * sizeof(uint32_t));
-  gpu::submit_and_wait(device_, [&](const vk::raii::CommandBuffer& commands) {
-    auto bindings = lookup.receivers;
-    bindings.push_back(gpu::Binding::storage(chosen));
-    pass.dispatch(commands, bindings, {}, {gpu::groups(lookup.width, 8), gpu::groups(lookup.height, 8), 1},
-                  std::span(&lookup.set, 1));
-  });
-  const auto bytes = gpu::read_back(device_, chosen, pixels * sizeof(uint32_t));
   constexpr std::array<glm::u8vec4, shared::max_cascades> colors{{{220, 60, 50, 255},
                                                                   {70, 180, 75, 255},
                                                                   {65, 100, 220, 255},
@@ -186,11 +173,8 @@ Picture Cascaded::debug_picture(std::string_view, const ReceiverLookup& lookup) 
                                                                   {170, 170, 170, 255}}};
   const glm::u8vec4 none{255, 0, 255, 255}, background{20, 20, 20, 255};
   Picture picture{lookup.width, lookup.height, {}};
-  for (size_t i = 0; i < pixels; ++i) {
-    uint32_t cascade;
-    std::memcpy(&cascade, bytes.data() + i * sizeof(uint32_t), sizeof(uint32_t));
+  for (const uint32_t cascade : receiver_words(device_, shaders::show_cascades_comp, lookup, false))
     picture.pixels.push_back(cascade < cascades_ ? colors[cascade] : cascade == cascades_ ? none : background);
-  }
   return picture;
 }
 

@@ -2,15 +2,9 @@
 
 #include <algorithm>
 
+#include "shadow/lookup_data.h"
+
 namespace shadewright::shadow {
-
-namespace {
-
-bool same_light(const Light& a, const Light& b) {
-  return a.kind == b.kind && a.position == b.position && a.direction == b.direction && a.outer_angle == b.outer_angle;
-}
-
-}  // namespace
 
 void CasterChanges::find(const Frame& frame) {
   const uint64_t updates = frame.scene ? frame.scene->update_count() : 0;

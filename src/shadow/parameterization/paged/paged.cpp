@@ -16,6 +16,7 @@
 #include "shadewright/error.h"
 #include "shadow/parameterization/paged/paged_caster_draws.h"
 #include "shadow/parameterization/uniform/fit.h"
+#include "shadow/receiver_words.h"
 
 namespace shadewright::shadow {
 
@@ -150,7 +151,7 @@ void Paged::fit(const Frame& frame, double margin) {
   held_.clear();
   for (const LightFrame& light : light_frames(frame.light)) {
     const std::vector<glm::dvec3> points = receiver_points(frame, window_planes(light));
-    const LightFrame turned = light.perspective ? light : turn_to_fit(light, points);
+    const LightFrame turned = turn_to_fit(light, points);
     Box box = squared(receiver_bounds(turned, points));
     if (!box.empty()) {
       const glm::dvec3 wider = margin * box.size();
@@ -415,22 +416,9 @@ Counters Paged::counters() const {
 }
 
 Picture Paged::debug_picture(std::string_view, const ReceiverLookup& lookup) {
-  using enum gpu::BindingKind;
-  const gpu::ComputePass pass(device_, shaders::page_picture_comp,
-                              {uniform_buffer, sampled_image, sampled_image, storage_buffer}, 0,
-                              std::span(&lookup.layout, 1), faces_ == 6);
   Picture picture{lookup.width, lookup.height, {}};
-  picture.pixels.resize(size_t{picture.width} * picture.height);
-  const uint64_t bytes = picture.pixels.size() * sizeof(picture.pixels[0]);
-  const gpu::Buffer pixels(device_, "picture of pages", bytes);
-  gpu::submit_and_wait(device_, [&](const vk::raii::CommandBuffer& commands) {
-    auto all = lookup.receivers;
-    all.push_back(gpu::Binding::storage(pixels));
-    pass.dispatch(commands, all, {}, {gpu::groups(picture.width, 8), gpu::groups(picture.height, 8), 1},
-                  std::span(&lookup.set, 1));
-  });
-  const auto data = gpu::read_back(device_, pixels, bytes);
-  std::memcpy(picture.pixels.data(), data.data(), bytes);
+  for (const uint32_t word : receiver_words(device_, shaders::page_picture_comp, lookup, faces_ == 6))
+    picture.pixels.push_back(std::bit_cast<glm::u8vec4>(word));
   return picture;
 }
 

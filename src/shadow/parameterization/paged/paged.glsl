@@ -2,6 +2,7 @@
 // The parameterization module of a look-up (architecture, section 1). MapPoint::layer holds the page that answers: its place in
 // the pool, its level and its face.
 #include "shadow/map_point.glsl"
+#include "shadow/parameterization/cube_face.glsl"
 #include "shadow/parameterization/paged/shared.h"
 
 #define MAP_LEVELS 1  // map_level and map_point_at exist
@@ -34,15 +35,7 @@ uint point_slot(MapPoint p) { return entry_slot(p.layer); }
 uint point_level(MapPoint p) { return entry_level(p.layer); }
 uint point_face(MapPoint p) { return p.layer >> (entry_slot_bits + entry_level_bits); }
 
-// The face of a point light's cube that looks along `direction`.
-uint paged_face(vec3 world) {
-  if (!six_faces) return 0;
-  vec3 direction = world - lookup.light_position;
-  vec3 a = abs(direction);
-  if (a.x >= a.y && a.x >= a.z) return direction.x >= 0.0 ? 0 : 1;
-  if (a.y >= a.z) return direction.y >= 0.0 ? 2 : 3;
-  return direction.z >= 0.0 ? 4 : 5;
-}
+uint paged_face(vec3 world) { return six_faces ? cube_face(world - lookup.light_position) : 0; }
 
 vec2 paged_uv(vec3 world, uint face) {
   vec4 q = map_views[face].map_from_world * vec4(world, 1.0);
@@ -138,7 +131,4 @@ bool map_quad(MapPoint p, vec2 first, out vec3 at) {
   return all(greaterThanEqual(within, vec2(0.0))) && all(lessThan(within, vec2(page_texels - 1u)));
 }
 
-Ray map_ray(MapPoint p, vec2 uv) {
-  vec3 near = map_unproject(p, uv, 0.0);
-  return Ray(near, normalize(map_unproject(p, uv, 1.0) - near));
-}
+#include "shadow/parameterization/ray.glsl"

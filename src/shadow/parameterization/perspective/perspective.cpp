@@ -1,12 +1,13 @@
 #include "shadow/parameterization/perspective/perspective.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <cstring>
 
 #include "render/shared.h"
 #include "shaders/show_aliasing_comp.h"
 #include "shaders/visible_comp.h"
+#include "shadow/receiver_words.h"
 #include "shadow/shared.h"
 
 namespace shadewright::shadow {
@@ -133,25 +134,9 @@ std::vector<Allocation> Perspective::allocations() const {
 }
 
 Picture Perspective::debug_picture(std::string_view, const ReceiverLookup& lookup) {
-  using enum gpu::BindingKind;
-  const gpu::ComputePass pass(device_, shaders::show_aliasing_comp,
-                              {uniform_buffer, sampled_image, sampled_image, storage_buffer}, 0,
-                              std::span(&lookup.layout, 1), views_.size() > 1);
-  const size_t pixels = size_t{lookup.width} * lookup.height;
-  const gpu::Buffer sizes(device_, "texel of each pixel", pixels * sizeof(float));
-  gpu::submit_and_wait(device_, [&](const vk::raii::CommandBuffer& commands) {
-    auto bindings = lookup.receivers;
-    bindings.push_back(gpu::Binding::storage(sizes));
-    pass.dispatch(commands, bindings, {}, {gpu::groups(lookup.width, 8), gpu::groups(lookup.height, 8), 1},
-                  std::span(&lookup.set, 1));
-  });
-  const auto bytes = gpu::read_back(device_, sizes, pixels * sizeof(float));
   Picture picture{lookup.width, lookup.height, {}};
-  for (size_t i = 0; i < pixels; ++i) {
-    float size;
-    std::memcpy(&size, bytes.data() + i * sizeof(float), sizeof(float));
-    picture.pixels.push_back(aliasing_color(size));
-  }
+  for (const uint32_t word : receiver_words(device_, shaders::show_aliasing_comp, lookup, views_.size() > 1))
+    picture.pixels.push_back(aliasing_color(std::bit_cast<float>(word)));
   return picture;
 }
 

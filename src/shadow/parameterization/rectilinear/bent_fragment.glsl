@@ -6,6 +6,6 @@ layout(location = 0) flat in vec4 depth_plane;
 layout(location = 1) flat in vec3 origin;
 
 float bent_depth(ivec2 texel) {
-  vec2 center = vec2(warp_flats[2 * texel.x + 1], warp_flats[2 * (warp.resolution + texel.y) + 2]);
-  return clamp(dot(depth_plane.xyz, vec3(center - origin.xy, 1.0)), depth_plane.w, origin.z);
+  vec2 from_origin = flat_of_texel_center(texel) - origin.xy;
+  return clamp(dot(depth_plane.xyz, vec3(from_origin, 1.0)), depth_plane.w, origin.z);
 }

@@ -99,12 +99,12 @@ Rectilinear::Rectilinear(const gpu::Device& device, const Spec& spec, const Tech
 }
 
 void Rectilinear::fit(const Frame& frame) {
-  LightFrame light = light_frames(frame.light).front();
-  std::vector<Plane> planes = window_planes(light);
+  const LightFrame window = light_frames(frame.light).front();
+  std::vector<Plane> planes = window_planes(window);
   const std::vector<Plane> camera = frame.camera.planes();
   planes.insert(planes.end(), camera.begin(), camera.end());
   const std::vector<glm::dvec3> points = receiver_points(frame, planes);
-  if (!light.perspective) light = turn_to_fit(light, points);
+  const LightFrame light = turn_to_fit(window, points);
   const Box receivers = receiver_bounds(light, points);
   view_ = fit_view(light, receivers, resolution_, rounding_border_texels);
   if (view_.drawn) view_.casters = caster_planes(view_, frame.camera, frame.light, true);

@@ -61,10 +61,10 @@ MapPoint map_point(vec3 world, vec4 plane) {
 
 // `p` as all texels would see it whose segments are those of `texel`: what is stored there is linear in these.
 MapPoint map_in_frame_of(MapPoint p, ivec2 texel) {
+  vec2 center = flat_of_texel_center(texel);
   for (uint axis = 0; axis < 2; ++axis) {
-    float at_flat = warp_flats[axis * (2 * warp.resolution + 1) + 2 * uint(texel[axis]) + 1];
     WarpSegment s;
-    warp_axis(axis, at_flat, s);
+    warp_axis(axis, center[axis], s);
     p.uv[axis] = s.start + s.slope * (p.flat_uv[axis] - s.flat_start);
     p.gradient[axis] = p.flat_gradient[axis] / s.slope;
   }

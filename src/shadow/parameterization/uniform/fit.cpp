@@ -93,6 +93,7 @@ Box receiver_bounds(const LightFrame& light, std::span<const glm::dvec3> points)
 }
 
 LightFrame turn_to_fit(const LightFrame& light, std::span<const glm::dvec3> points) {
+  if (light.perspective) return light;
   constexpr int angles = 32;
   std::array<Box, angles> bounds;
   std::array<glm::dvec2, angles> axes;

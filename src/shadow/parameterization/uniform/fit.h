@@ -30,7 +30,7 @@ std::vector<glm::dvec3> receiver_points(const Frame& frame, std::span<const Plan
 Box receiver_bounds(const LightFrame& light, std::span<const glm::dvec3> points);
 
 /// Turns a directional light's frame about its axis so that the receivers' bounding rectangle is smallest (of 32
-/// angles).
+/// angles). Others stay as they are.
 LightFrame turn_to_fit(const LightFrame& light, std::span<const glm::dvec3> points);
 
 /// The view whose map, `resolution` texels an axis, just holds `receivers` (as `receiver_bounds` gives them), with a

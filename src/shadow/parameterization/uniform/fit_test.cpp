@@ -34,7 +34,7 @@ TEST_P(FitTest, HoldsEveryReceiver) {
       const auto window = planes;
       planes.insert(planes.end(), camera_planes.begin(), camera_planes.end());
       const auto points = receiver_points(frame, planes);
-      const LightFrame turned = light.perspective ? light : turn_to_fit(light, points);
+      const LightFrame turned = turn_to_fit(light, points);
       const MapView view = fit_view(turned, receiver_bounds(turned, points), 1024, 1);
       for (int i = 0; i < 50; ++i) {
         const glm::dvec3 receiver(5 * unit(random), 0.5 + 1.5 * unit(random), 5 * unit(random));

@@ -28,7 +28,7 @@ void Uniform::prepare(const Frame& frame, gpu::Recorder& recorder) {
       const std::vector<Plane> camera = fit_ == "scene" ? std::vector<Plane>{} : frame.camera.planes();
       planes.insert(planes.end(), camera.begin(), camera.end());
       const std::vector<glm::dvec3> points = receiver_points(frame, planes);
-      lights.push_back(light.perspective ? light : turn_to_fit(light, points));
+      lights.push_back(turn_to_fit(light, points));
       receivers.push_back(receiver_bounds(lights.back(), points));
     }
   });

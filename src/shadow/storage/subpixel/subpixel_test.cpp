@@ -6,45 +6,18 @@
 #include <random>
 
 #include "gpu/device_for_test.h"
-#include "shadewright/render/camera_pass.h"
+#include "shadow/view_for_test.h"
 
 namespace shadewright::shadow {
 namespace {
 
 constexpr uint32_t width = 160, height = 120;
 
-/// What a camera sees of a scene.
-class Stage {
- public:
-  Stage(const gpu::Device& device, const Scene& scene, const Camera& camera)
-      : device_(device), scene_(device, scene), pass_(scene_, width, height, false) {
-    frame_.scene = &scene_;
-    frame_.camera = render::make_view(camera, near_distance(scene, camera), width, height);
-    gpu::Recorder recorder(device);
-    pass_.record(recorder, frame_.camera);
-    recorder.finish();
-    frame_.depth = pass_.depth().view();
-    frame_.normal = pass_.normal().view();
-  }
-
-  /// How many pixels are in the shadow.
-  size_t shadowed(Technique& technique, const Light& light) {
-    frame_.light = light;
-    gpu::Recorder recorder(device_);
-    technique.prepare(frame_, recorder);
-    technique.record(frame_, recorder);
-    recorder.finish();
-    size_t count = 0;
-    for (const std::byte value : gpu::read_back(device_, technique.visibility(), 1)) count += value == std::byte{0};
-    return count;
-  }
-
- private:
-  const gpu::Device& device_;
-  render::SceneGpu scene_;
-  render::CameraPass pass_;
-  Frame frame_;
-};
+/// How many pixels of a view are in the shadow of `light`.
+size_t count_shadowed(ViewForTest& view, Technique& technique, const Light& light) {
+  view.frame().light = light;
+  return static_cast<size_t>(std::ranges::count(view.look_up(technique), std::byte{0}));
+}
 
 std::unique_ptr<Technique> make(const gpu::Device& device, const char* spec) {
   return make_technique(device, parse_spec(spec), {width, height});
@@ -110,7 +83,8 @@ TEST_F(SubpixelTest, WritesExactlyTheTexelsThatTrianglesTouch) {
     const Light light = sun(20 + 43 * round, 25 + 7 * round);
     const Scene scene = scene_of({random_triangles(random, -light.direction)});
     const auto technique = make(device(), round % 2 == 0 ? "spsm@96,fit=scene" : "spsm@40,fit=scene");
-    Stage(device(), scene, default_camera(scene)).shadowed(*technique, light);
+    ViewForTest view(device(), scene, default_camera(scene), width, height);
+    count_shadowed(view, *technique, light);
     const Picture map = technique->debug_picture("shadow-map");
     const glm::dvec2 size(map.width, map.height);
     std::vector<Triangle> triangles;
@@ -158,7 +132,7 @@ TEST_F(SubpixelTest, ShadowsGrowMonotonicallyAsTheLightSweeps) {
   Camera camera;
   camera.eye = {0.7, 0.8, 2.4};
   camera.target = {0.9, 0, 0};
-  Stage stage(device(), scene, camera);
+  ViewForTest view(device(), scene, camera, width, height);
   for (const char* spec : {"spsm@64,fit=scene", "uniform/subpixel/aa@64,fit=scene"}) {
     SCOPED_TRACE(spec);
     const auto technique = make(device(), spec);
@@ -168,7 +142,7 @@ TEST_F(SubpixelTest, ShadowsGrowMonotonicallyAsTheLightSweeps) {
       const double slope = 0.5 + step * 0.019;  // of the light: what it travels along x a metre down
       Light light;
       light.direction = glm::normalize(glm::dvec3(slope, -1, 0));
-      const size_t shadowed = stage.shadowed(*technique, light);
+      const size_t shadowed = count_shadowed(view, *technique, light);
       if (step == 0) first = shadowed;
       EXPECT_GE(shadowed + 2, before) << "step " << step;  // pixels on the border of both frames
       steps += shadowed > before;
