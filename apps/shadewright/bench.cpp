@@ -16,9 +16,11 @@ std::string Bench::shown(const std::string& spec) const {
   return at == std::string::npos ? spec : spec.substr(0, at) + spec.substr(at + folder.size());
 }
 
-compare::Study Bench::study(const Scene& scene, const Camera& camera, const Light& light) {
+compare::Study Bench::study(const Scene& scene, const Camera& camera, const Light& light,
+                            std::optional<uint32_t> size) {
   progress(scene.name + ", " + camera.name, 0);
-  return compare::Study(device(), scene, camera, light, {options_.width, options_.height, options_.repeat, 16, true});
+  return compare::Study(device(), scene, camera, light,
+                        {size.value_or(options_.width), size.value_or(options_.height), options_.repeat, 16, true});
 }
 
 std::vector<compare::Outcome> Bench::run(compare::Study& study, const std::vector<std::string>& specs,

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,19 +26,22 @@ struct BenchOptions {
 /// A bench under way.
 class Bench {
  public:
-  Bench(BenchOptions options, Progress progress) : options_(std::move(options)), progress_(std::move(progress)) {}
+  /// `done` takes each table as soon as it is made.
+  Bench(BenchOptions options, Progress progress, std::function<void(BenchTable)> done)
+      : options_(std::move(options)), progress_(std::move(progress)), done_(std::move(done)) {}
 
   const BenchOptions& options() const { return options_; }
   void progress(const std::string& what, double share) const { progress_(what, share); }
   const Progress& progress() const { return progress_; }
+  void add(BenchTable table) const { done_(std::move(table)); }
   /// Found at the first call: what needs no device runs without one.
   const gpu::Device& device();
 
   /// A spec as tables name it: without the folder of its files.
   std::string shown(const std::string& spec) const;
 
-  /// A study of one view, with the options' size and repeats.
-  compare::Study study(const Scene& scene, const Camera& camera, const Light& light);
+  /// A study of one view, with the options' repeats and size, or square of `size` pixels.
+  compare::Study study(const Scene& scene, const Camera& camera, const Light& light, std::optional<uint32_t> size = {});
   /// Runs `specs` in `study`, one outcome each. Pictures of the reference and of each are written as
   /// STEM-reference.png and STEM-SPEC.png, and named in `table`.
   std::vector<compare::Outcome> run(compare::Study& study, const std::vector<std::string>& specs,
@@ -45,13 +50,14 @@ class Bench {
  private:
   BenchOptions options_;
   Progress progress_;
+  std::function<void(BenchTable)> done_;
   std::unique_ptr<gpu::Device> device_;
 };
 
-std::vector<BenchTable> bench_cpvs(Bench& bench);
-std::vector<BenchTable> bench_psm(Bench& bench);
-std::vector<BenchTable> bench_rmsm(Bench& bench);
-std::vector<BenchTable> bench_spsm(Bench& bench);
-std::vector<BenchTable> bench_rtw(Bench& bench);
+void bench_cpvs(Bench& bench);
+void bench_psm(Bench& bench);
+void bench_rmsm(Bench& bench);
+void bench_spsm(Bench& bench);
+void bench_rtw(Bench& bench);
 
 }  // namespace shadewright::app

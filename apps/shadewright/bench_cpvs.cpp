@@ -210,8 +210,8 @@ void lookup_rows(const BenchOptions& bench, const char* name, BenchTable& speed,
 
 }  // namespace
 
-std::vector<BenchTable> bench_cpvs(Bench& bench) {
-  std::vector<BenchTable> tables{bake_table(bench.options(), bench.progress())};
+void bench_cpvs(Bench& bench) {
+  bench.add(bake_table(bench.options(), bench.progress()));
   BenchTable speed{
       "CPVS section 7: look-ups on the CPU at 1080p camera points",
       "Paper: on the GPU, worst case over its fly-throughs. The last column is against one coherent Embree shadow ray "
@@ -225,10 +225,9 @@ std::vector<BenchTable> bench_cpvs(Bench& bench) {
                    {}};
   for (const char* name : {"landscape", "city?triangles=613000", "ruins"})
     lookup_rows(bench.options(), name, speed, truth, bench.progress());
-  tables.push_back(std::move(speed));
-  tables.push_back(std::move(truth));
-  for (BenchTable& table : cpvs_device_tables(bench)) tables.push_back(std::move(table));
-  return tables;
+  bench.add(std::move(speed));
+  bench.add(std::move(truth));
+  cpvs_device_tables(bench);
 }
 
 }  // namespace shadewright::app

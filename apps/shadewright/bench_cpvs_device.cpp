@@ -194,9 +194,13 @@ BenchTable quality(Bench& bench, Bakes& bakes) {
 
 }  // namespace
 
-std::vector<BenchTable> cpvs_device_tables(Bench& bench) {
+void cpvs_device_tables(Bench& bench) {
   Bakes bakes(bench);
-  return {flights(bench, bakes), filters(bench), orders(bench, bakes), quality(bench, bakes), distant(bench, bakes)};
+  bench.add(flights(bench, bakes));
+  bench.add(filters(bench));
+  bench.add(orders(bench, bakes));
+  bench.add(quality(bench, bakes));
+  bench.add(distant(bench, bakes));
 }
 
 }  // namespace shadewright::app

@@ -6,6 +6,6 @@
 namespace shadewright::app {
 
 /// Figures 8, 10 and 11, and the gain of the order of traversal, at the options' largest resolution.
-std::vector<BenchTable> cpvs_device_tables(Bench& bench);
+void cpvs_device_tables(Bench& bench);
 
 }  // namespace shadewright::app

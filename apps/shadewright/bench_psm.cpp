@@ -111,22 +111,19 @@ BenchTable figure_table(Bench& bench, const Figure& figure, bool along_path) {
 
 }  // namespace
 
-std::vector<BenchTable> bench_psm(Bench& bench) {
+void bench_psm(Bench& bench) {
   const std::string same =
       "psm is ours: the projection with the smallest texels on the frame's surface points. warp=psm is the paper's, "
       "with the best shift of the eye; with shift=least,fit=view it is nearest to the paper. Cascades have half the "
       "resolution: four of them take as much memory as the map.";
-  std::vector<BenchTable> tables;
-  tables.push_back(
-      figure_table(bench, {"PSM figure 1: chess board, spot light", same, "builtin:chess", "figure-1"}, false));
-  tables.push_back(figure_table(
+  bench.add(figure_table(bench, {"PSM figure 1: chess board, spot light", same, "builtin:chess", "figure-1"}, false));
+  bench.add(figure_table(
       bench, {"PSM figure 8: crowd and trees, far ones as points", same, "builtin:street?crowd=1", "figure-8", true},
       false));
-  tables.push_back(figure_table(
+  bench.add(figure_table(
       bench, {"PSM figure 9: street with moving cars and aeroplanes", same, "builtin:street", "figure-9"}, true));
-  tables.push_back(figure_table(
+  bench.add(figure_table(
       bench, {"PSM figure 10: ecosystem, points and polygons", same, "builtin:ecosystem", "figure-10", true}, false));
-  return tables;
 }
 
 }  // namespace shadewright::app

@@ -51,13 +51,13 @@ std::string megabytes(const compare::Outcome& outcome) {
 }
 
 Outcomes run(Bench& bench, const Scene& scene, const char* camera, const std::vector<std::string>& specs,
-             const std::string& stem, BenchTable& table) {
-  compare::Study study = bench.study(scene, find_camera(scene, camera), scene.lights.front());
+             const std::string& stem, BenchTable& table, std::optional<uint32_t> size = {}) {
+  compare::Study study = bench.study(scene, find_camera(scene, camera), scene.lights.front(), size);
   return bench.run(study, specs, stem, table);
 }
 
 /// Figures 8, 11 to 13 from the same runs.
-void views_tables(Bench& bench, std::vector<BenchTable>& tables) {
+void views_tables(Bench& bench) {
   BenchTable speed{
       "Figure 8: frames of standard, adaptive and resolution-matched maps",
       "Whole frames in milliseconds and as ratios to the 2048 standard map of the same run; in brackets the "
@@ -99,7 +99,7 @@ void views_tables(Bench& bench, std::vector<BenchTable>& tables) {
                            wrong_a_pixel_of_edge(o[3]), wrong_a_pixel_of_edge(o[6]),
                            fmt::format("{:.5f}", o[6].result.error.oracle_fraction.value_or(0))});
   }
-  tables.insert(tables.end(), {speed, memory, use, errors});
+  for (BenchTable* table : {&speed, &memory, &use, &errors}) bench.add(std::move(*table));
 }
 
 /// Figures 9, 10 and 12(b): image sizes, and three views of trees.
@@ -117,13 +117,10 @@ BenchTable scaling_table(Bench& bench) {
                          Row{"furball", "wall", 1024, "1446", "4886"}, Row{"furball", "furball", 1024, "5056", "5472"},
                          Row{"trees", "wide", 1024, "-", "-"}, Row{"trees", "under", 1024, "-", "-"},
                          Row{"trees", "crown", 1024, "-", "-"}}) {
-    BenchOptions options = bench.options();
-    options.width = options.height = row.size;
-    Bench sized(options, bench.progress());
     const Scene scene = make_builtin(row.scene);
     const std::string name = fmt::format("{} {}", row.scene, row.camera);
-    const Outcomes o =
-        run(sized, scene, row.camera, {"sm@2048", "asm", "rmsm"}, fmt::format("{} {}", name, row.size), table);
+    const Outcomes o = run(bench, scene, row.camera, {"sm@2048", "asm", "rmsm"}, fmt::format("{} {}", name, row.size),
+                           table, row.size);
     table.rows.push_back({name, fmt::format("{}^2", row.size), milliseconds(o[0], o[0]), milliseconds(o[1], o[0]),
                           milliseconds(o[2], o[0]),
                           fmt::format("{:.0f} [{}]", counter(o[1], "pages"), row.pages_iterative),
@@ -199,14 +196,12 @@ BenchTable grazing_table(Bench& bench) {
 
 }  // namespace
 
-std::vector<BenchTable> bench_rmsm(Bench& bench) {
-  std::vector<BenchTable> tables;
-  views_tables(bench, tables);
-  tables.push_back(scaling_table(bench));
-  tables.push_back(quality_table(bench));
-  tables.push_back(requests_table(bench));
-  tables.push_back(grazing_table(bench));
-  return tables;
+void bench_rmsm(Bench& bench) {
+  views_tables(bench);
+  bench.add(scaling_table(bench));
+  bench.add(quality_table(bench));
+  bench.add(requests_table(bench));
+  bench.add(grazing_table(bench));
 }
 
 }  // namespace shadewright::app

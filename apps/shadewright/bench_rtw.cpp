@@ -159,9 +159,8 @@ BenchTable path_table(Bench& bench) {
 
 }  // namespace
 
-std::vector<BenchTable> bench_rtw(Bench& bench) {
-  std::vector<BenchTable> tables;
-  tables.push_back(frame_table(
+void bench_rtw(Bench& bench) {
+  bench.add(frame_table(
       bench, "RTW table 1: frames over the views of three scenes",
       {{"uniform", "sm@2048", {"2.7-3.6", "1.9-2.1", "2.7-3.2"}},
        {"forward", "rtw@2048,analysis=forward" + paper_form + ",tessellation=off", {"5.3-7.0", "4.2-5.3", "3.7-4.8"}},
@@ -169,54 +168,52 @@ std::vector<BenchTable> bench_rtw(Bench& bench) {
        {"backward, tessellated", "rtw@2048" + paper_form + ",tessellation=2.5", {"6.2-7.3", "6.2-7.1", "11.0-11.5"}},
        {"hybrid", "rtw@2048,analysis=hybrid" + paper_form + ",tessellation=off", {"5.8-7.3", "5.0-5.7", "4.5-5.4"}},
        {"ours", "rtw@2048", {"-", "-", "-"}}}));
-  tables.push_back(stage_table(bench));
-  tables.push_back(frame_table(bench, "RTW table 3: tessellation, backward analysis",
-                               {{"uniform", "sm@2048", {"2.7-3.6", "1.9-2.1", "2.7-3.2"}},
-                                {"off", "rtw@2048,tessellation=off", {"4.3-5.4", "3.8-4.8", "3.8-5.0"}},
-                                {"5 %", "rtw@2048,tessellation=5", {"5.5-6.9", "5.2-5.9", "8.4-9.5"}},
-                                {"2.5 %", "rtw@2048,tessellation=2.5", {"5.8-7.0", "5.9-7.0", "10.9-11.9"}},
-                                {"1 %", "rtw@2048,tessellation=1", {"6.0-7.2", "8.0-9.5", "16.5-17.4"}},
-                                {"exact", "rtw@2048", {"-", "-", "-"}}}));
-  tables.push_back(
-      figure(bench, "RTW figures 1, 2: playground",
-             "The paper's claim: 512 x 512 looks as the uniform 2048 x 2048, 2048 x 2048 nearly as ray tracing.",
-             "rtw-figure-1", "playground",
-             {{"sm@2048,fit=scene", "3.3 ms"},
-              {"rtw@512", "4.2 ms, 2861 x 4083"},
-              {"rtw@512" + paper_form, "4.2 ms, 2861 x 4083"},
-              {"rtw@2048", "5.2 ms, 11448 x 16333"},
-              {"rtw@2048" + paper_form, "5.2 ms, 11448 x 16333"},
-              {"sm@2048,fit=visible", "-"}}));
-  tables.push_back(figure(bench, "RTW figure 3: sandbox", "Importance functions.", "rtw-figure-3", "sandbox",
-                          {{"sm@2048,fit=scene", "2.5 ms"},
-                           {"rtw@512,collapse=max,px=off,de=on,sigma=3", "3.3 ms, 2114 x 4616"},
-                           {"rtw@512,analysis=hybrid,collapse=max,px=off,de=on,sigma=3", "3.5 ms, 2783 x 5628"},
-                           {"rtw@512", "-"},
-                           {"rtw@512,analysis=hybrid", "-"}}));
-  tables.push_back(figure(bench, "RTW figure 6: importance functions, playground",
-                          "Without and with the surface normal; then each function alone and ours.", "rtw-figure-6",
-                          "playground",
-                          {{"rtw@2048,collapse=max,px=off,de=on,sigma=3", "5.4 ms, 11451 x 20761"},
-                           {"rtw@2048,collapse=max,px=off,de=on,sn=on,sigma=3", "4.2 ms, 11447 x 16333"},
-                           {"rtw@2048,collapse=max,px=off,sigma=3", "-"},
-                           {"rtw@2048,collapse=max,px=on,sigma=3", "-"},
-                           {"rtw@2048,collapse=sum,px=off,sn=on,de=on,sigma=3", "-"},
-                           {"rtw@2048,collapse=sum,px=on,sigma=3", "-"},
-                           {"rtw@2048,rotate=on", "-"},
-                           {"rtw@2048", "-"}}));
-  tables.push_back(figure(bench, "RTW figure 7: edges, playground",
-                          "Tessellation against errors at large triangles' edges.", "rtw-figure-7", "playground",
-                          {{"rtw@1024,tessellation=off", "5.0 ms, 19448 x 36959"},
-                           {"rtw@1024,tessellation=2.5", "6.5 ms"},
-                           {"rtw@1024", "-"}}));
-  tables.push_back(figure(bench, "RTW figure 8: percentage closer filtering, playground",
-                          "A filter of the map's texels smooths edges; one of the world's width makes soft shadows.",
-                          "rtw-figure-8", "playground",
-                          {{"rtw@1024", "4.8 ms, 11614 x 13650"},
-                           {"rectilinear/depth/pcf@1024,radius=2", "7.3 ms"},
-                           {"rectilinear/depth/pcf@1024,width=0.1", "7.3 ms"}}));
-  tables.push_back(path_table(bench));
-  return tables;
+  bench.add(stage_table(bench));
+  bench.add(frame_table(bench, "RTW table 3: tessellation, backward analysis",
+                        {{"uniform", "sm@2048", {"2.7-3.6", "1.9-2.1", "2.7-3.2"}},
+                         {"off", "rtw@2048,tessellation=off", {"4.3-5.4", "3.8-4.8", "3.8-5.0"}},
+                         {"5 %", "rtw@2048,tessellation=5", {"5.5-6.9", "5.2-5.9", "8.4-9.5"}},
+                         {"2.5 %", "rtw@2048,tessellation=2.5", {"5.8-7.0", "5.9-7.0", "10.9-11.9"}},
+                         {"1 %", "rtw@2048,tessellation=1", {"6.0-7.2", "8.0-9.5", "16.5-17.4"}},
+                         {"exact", "rtw@2048", {"-", "-", "-"}}}));
+  bench.add(figure(bench, "RTW figures 1, 2: playground",
+                   "The paper's claim: 512 x 512 looks as the uniform 2048 x 2048, 2048 x 2048 nearly as ray tracing.",
+                   "rtw-figure-1", "playground",
+                   {{"sm@2048,fit=scene", "3.3 ms"},
+                    {"rtw@512", "4.2 ms, 2861 x 4083"},
+                    {"rtw@512" + paper_form, "4.2 ms, 2861 x 4083"},
+                    {"rtw@2048", "5.2 ms, 11448 x 16333"},
+                    {"rtw@2048" + paper_form, "5.2 ms, 11448 x 16333"},
+                    {"sm@2048,fit=visible", "-"}}));
+  bench.add(figure(bench, "RTW figure 3: sandbox", "Importance functions.", "rtw-figure-3", "sandbox",
+                   {{"sm@2048,fit=scene", "2.5 ms"},
+                    {"rtw@512,collapse=max,px=off,de=on,sigma=3", "3.3 ms, 2114 x 4616"},
+                    {"rtw@512,analysis=hybrid,collapse=max,px=off,de=on,sigma=3", "3.5 ms, 2783 x 5628"},
+                    {"rtw@512", "-"},
+                    {"rtw@512,analysis=hybrid", "-"}}));
+  bench.add(figure(bench, "RTW figure 6: importance functions, playground",
+                   "Without and with the surface normal; then each function alone and ours.", "rtw-figure-6",
+                   "playground",
+                   {{"rtw@2048,collapse=max,px=off,de=on,sigma=3", "5.4 ms, 11451 x 20761"},
+                    {"rtw@2048,collapse=max,px=off,de=on,sn=on,sigma=3", "4.2 ms, 11447 x 16333"},
+                    {"rtw@2048,collapse=max,px=off,sigma=3", "-"},
+                    {"rtw@2048,collapse=max,px=on,sigma=3", "-"},
+                    {"rtw@2048,collapse=sum,px=off,sn=on,de=on,sigma=3", "-"},
+                    {"rtw@2048,collapse=sum,px=on,sigma=3", "-"},
+                    {"rtw@2048,rotate=on", "-"},
+                    {"rtw@2048", "-"}}));
+  bench.add(figure(bench, "RTW figure 7: edges, playground", "Tessellation against errors at large triangles' edges.",
+                   "rtw-figure-7", "playground",
+                   {{"rtw@1024,tessellation=off", "5.0 ms, 19448 x 36959"},
+                    {"rtw@1024,tessellation=2.5", "6.5 ms"},
+                    {"rtw@1024", "-"}}));
+  bench.add(figure(bench, "RTW figure 8: percentage closer filtering, playground",
+                   "A filter of the map's texels smooths edges; one of the world's width makes soft shadows.",
+                   "rtw-figure-8", "playground",
+                   {{"rtw@1024", "4.8 ms, 11614 x 13650"},
+                    {"rectilinear/depth/pcf@1024,radius=2", "7.3 ms"},
+                    {"rectilinear/depth/pcf@1024,width=0.1", "7.3 ms"}}));
+  bench.add(path_table(bench));
 }
 
 }  // namespace shadewright::app

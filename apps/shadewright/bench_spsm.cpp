@@ -101,7 +101,7 @@ BenchTable matches(Bench& bench) {
 }
 
 /// Table 2 and figures 2, 6 and 13, on the lattice.
-std::vector<BenchTable> variants(Bench& bench) {
+void variants(Bench& bench) {
   const Scene scene = make_builtin("lattice");
   compare::Study study = bench.study(scene, find_camera(scene, "near"), scene.lights.front());
   BenchTable sizes{
@@ -123,6 +123,7 @@ std::vector<BenchTable> variants(Bench& bench) {
     row.emplace_back(figures);
     sizes.rows.push_back(std::move(row));
   }
+  bench.add(std::move(sizes));
   BenchTable others{"Figures 2, 6 and 13: what each part brings",
                     "On lattice with maps of 512: without recovery, by the paper's tangents, with the slope codes of "
                     "the paper and of "
@@ -143,6 +144,7 @@ std::vector<BenchTable> variants(Bench& bench) {
                            std::to_string(error.false_lit), std::to_string(error.interior_false_shadow),
                            frame_time(outcome)});
   }
+  bench.add(std::move(others));
   BenchTable smooth{"Figure 11: anti-aliasing",
                     "On lattice; mean difference from 16 rays a pixel. The paper's frame goes from 9.0 to 9.3 ms.",
                     {"technique", "mean absolute", "look-up", "frame"},
@@ -150,7 +152,7 @@ std::vector<BenchTable> variants(Bench& bench) {
   for (const Outcome& outcome : bench.run(study, {"spsm@1024", "uniform/subpixel/aa@1024", "pcf@1024"}, "aa", smooth))
     smooth.rows.push_back({outcome.result.technique, fmt::format("{:.5f}", outcome.result.error.mean_absolute),
                            fmt::format("{:.1f}", stage(outcome, "look-up")), frame_time(outcome)});
-  return {sizes, others, smooth};
+  bench.add(std::move(smooth));
 }
 
 /// Section 6.4's two artefacts, on its own subjects: leaves (figure 15) and fine struts.
@@ -220,13 +222,13 @@ BenchTable combinations(Bench& bench) {
 
 }  // namespace
 
-std::vector<BenchTable> bench_spsm(Bench& bench) {
-  std::vector<BenchTable> tables{frame_times(bench), matches(bench)};
-  for (BenchTable& table : variants(bench)) tables.push_back(std::move(table));
-  tables.push_back(artefacts(bench));
-  tables.push_back(steadiness(bench));
-  tables.push_back(combinations(bench));
-  return tables;
+void bench_spsm(Bench& bench) {
+  bench.add(frame_times(bench));
+  bench.add(matches(bench));
+  variants(bench);
+  bench.add(artefacts(bench));
+  bench.add(steadiness(bench));
+  bench.add(combinations(bench));
 }
 
 }  // namespace shadewright::app

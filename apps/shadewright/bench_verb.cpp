@@ -19,7 +19,7 @@ namespace {
 
 struct Paper {
   const char* name;
-  std::vector<BenchTable> (*run)(Bench&);
+  void (*run)(Bench&);
 };
 constexpr Paper papers[] = {
     {"psm", bench_psm}, {"rmsm", bench_rmsm}, {"rtw", bench_rtw}, {"cpvs", bench_cpvs}, {"spsm", bench_spsm}};
@@ -52,14 +52,18 @@ void run(const Flags& flags) {
     throw FailureError(options.folder.string(), "can't be made (" + error.message() + ")",
                        "choose another place with -o");
   ProgressBar bar(flags.quiet);
-  Bench bench(options, interruptible(bar.callback()));
   for (const Paper* paper : chosen) {
-    const std::vector<BenchTable> tables = paper->run(bench);
-    const std::string markdown = to_markdown(tables), name = paper->name;
-    write_file(options.folder / (name + ".json"), to_json(tables).dump(2) + "\n");
-    write_file(options.folder / (name + ".md"), markdown);
-    bar.clear();
-    if (!flags.quiet) fmt::print("{}", markdown);
+    // Written after every table: benches take long, and an interrupted one keeps what it has.
+    std::vector<BenchTable> tables;
+    Bench bench(options, interruptible(bar.callback()), [&](BenchTable table) {
+      bar.clear();
+      if (!flags.quiet) fmt::print("{}", to_markdown({table}));
+      tables.push_back(std::move(table));
+      const std::string name = paper->name;
+      write_file(options.folder / (name + ".json"), to_json(tables).dump(2) + "\n");
+      write_file(options.folder / (name + ".md"), to_markdown(tables));
+    });
+    paper->run(bench);
   }
 }
 
