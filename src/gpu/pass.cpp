@@ -100,12 +100,15 @@ vk::raii::Sampler make_sampler(const Device& device, vk::Filter filter) {
 }
 
 ComputePass::ComputePass(const Device& device, std::span<const uint32_t> spirv, const std::vector<BindingKind>& kinds,
-                         uint32_t push_bytes, std::span<const vk::DescriptorSetLayout> sets, vk::Bool32 constant) {
+                         uint32_t push_bytes, std::span<const vk::DescriptorSetLayout> sets, uint32_t first_constant,
+                         uint32_t second_constant) {
   set_layout_ = make_set_layout(device, kinds, vk::ShaderStageFlagBits::eCompute, true);
   layout_ = make_layout(device, set_layout_, sets, push_bytes, vk::ShaderStageFlagBits::eCompute);
   const auto shader = make_shader(device, spirv);
-  const vk::SpecializationMapEntry entry(0, 0, sizeof(constant));
-  const vk::SpecializationInfo specialization(1, &entry, sizeof(constant), &constant);
+  const std::array constants{first_constant, second_constant};
+  const std::array<vk::SpecializationMapEntry, 2> entries{
+      {{0, 0, sizeof(uint32_t)}, {1, sizeof(uint32_t), sizeof(uint32_t)}}};
+  const vk::SpecializationInfo specialization(entries.size(), entries.data(), sizeof(constants), constants.data());
   const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *shader, "main",
                                                 &specialization);
   pipeline_ = vk::raii::Pipeline(device.handle(), nullptr, vk::ComputePipelineCreateInfo({}, stage, *layout_));

@@ -59,6 +59,10 @@ MapTechnique::MapTechnique(const gpu::Device& device, const Spec& spec, const Te
   }
   if (auto names = storage_traits(spec.storage).decisions; !names.empty())
     decisions_.emplace(device, std::move(names), options.frames_in_flight);
+  if (storage_traits(spec.storage).defers)
+    deferred_ =
+        gpu::Buffer(device, "deferred receivers",
+                    sizeof(shared::DeferredReceivers) + uint64_t{options.width} * options.height * sizeof(uint32_t));
   // Views, constants, the storage's resources and the parameterization's: see map_point.glsl and the modules' GLSL.
   using enum gpu::BindingKind;
   const LookupSets::Part parts[] = {{0, {storage_buffer, uniform_buffer}},
@@ -87,8 +91,13 @@ void MapTechnique::build_for(LightKind light) {
   const vk::DescriptorSetLayout lookup_layout = lookup_sets_.layout();
   std::vector kinds{uniform_buffer, sampled_image, sampled_image, storage_image};
   if (decisions_) kinds.push_back(storage_buffer);
-  lookup_ = gpu::ComputePass(device_, lookup_shader(spec_.parameterization + "/" + spec_.storage + "/" + spec_.filter),
-                             kinds, 0, std::span(&lookup_layout, 1), light == LightKind::point);
+  if (deferred_) kinds.push_back(storage_buffer);
+  const auto pass = [&](bool second) {
+    return gpu::ComputePass(device_, lookup_shader(spec_.parameterization + "/" + spec_.storage + "/" + spec_.filter),
+                            kinds, 0, std::span(&lookup_layout, 1), light == LightKind::point, second);
+  };
+  lookup_ = pass(false);
+  if (deferred_) deferred_lookup_ = pass(true);
   built_for_ = light;
   write_lookup_sets();
 }
@@ -154,8 +163,18 @@ void MapTechnique::record(const Frame& frame, gpu::Recorder& recorder) {
       decisions_->clear(commands);
       bindings.push_back(decisions_->binding());
     }
+    if (deferred_) {
+      const shared::DeferredReceivers none{{0, 1, 1}, 0};
+      commands.updateBuffer<shared::DeferredReceivers>(deferred_.handle(), 0, none);
+      gpu::memory_barrier(commands);
+      bindings.push_back(gpu::Binding::storage(deferred_));
+    }
     lookup_.dispatch(commands, bindings, {}, {gpu::groups(options_.width, 8), gpu::groups(options_.height, 8), 1},
                      std::span(&last_.set, 1));
+    if (deferred_) {
+      gpu::memory_barrier(commands);
+      deferred_lookup_.dispatch_indirect(commands, bindings, {}, deferred_, 0, std::span(&last_.set, 1));
+    }
     visibility_.transition(commands, vk::ImageLayout::eShaderReadOnlyOptimal);
     if (decisions_) decisions_->take(commands, slot(frame));
   });
@@ -172,6 +191,7 @@ std::vector<Allocation> MapTechnique::allocations() const {
   }
   append(parameterization_->allocations());
   if (decisions_) append(decisions_->allocations());
+  if (deferred_) result.push_back(deferred_.allocation());
   for (const auto* buffers : {&cameras_, &views_, &lookups_})
     for (const auto& buffer : *buffers) result.push_back(buffer.allocation());
   return result;

@@ -50,9 +50,10 @@ class MapTechnique final : public Technique {
   std::unique_ptr<CasterDraws> draws_;
   std::unique_ptr<Storage> storage_;
   std::optional<LightKind> built_for_;
-  gpu::ComputePass lookup_;
-  std::optional<Decisions> decisions_;  ///< where the storage's look-up tells
-  ReceiverLookup last_;                 ///< of the last prepared frame
+  gpu::ComputePass lookup_, deferred_lookup_;  ///< the second only where the storage defers
+  gpu::Buffer deferred_;                       ///< DeferredReceivers and their pixels
+  std::optional<Decisions> decisions_;         ///< where the storage's look-up tells
+  ReceiverLookup last_;                        ///< of the last prepared frame
 };
 
 }  // namespace shadewright::shadow

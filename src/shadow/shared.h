@@ -33,6 +33,13 @@ struct LookupData {
   float light_bleeding;  // of moments: the share of light that counts as none
 };
 
+/// The receivers whose answer a look-up puts off to a second pass. Their pixels follow, x and y in 16 bits each.
+struct DeferredReceivers {
+  uvec3 groups;  // of that pass
+  uint count;
+};
+const uint deferred_group = 64;
+
 #ifdef __cplusplus
 }  // namespace shadewright::shared
 #endif

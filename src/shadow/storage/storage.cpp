@@ -18,9 +18,10 @@ StorageTraits storage_traits(std::string_view storage) {
     return {{sampled_image, sampled_image, storage_buffer, uniform_buffer},
             {"shadow-map", "decisions"},
             {"decided_by_one_texel", "decided_by_neighbours", "decided_by_recovery"},
+            true,
             false};
   if (storage == "triangle")
-    return {{sampled_image, sampled_image, sampled_image, sampled_image, uniform_buffer}, {"shadow-map"}, {}, false};
+    return {{sampled_image, sampled_image, sampled_image, sampled_image, uniform_buffer}, {"shadow-map"}, {}, false, false};
   throw std::logic_error(fmt::format("storage '{}' has shaders but no class", storage));
 }
 

@@ -1,6 +1,7 @@
 // aa: the storage's own anti-aliasing (SPSM section 4.3). The shadow's border that one look-up found answers for all places of the
 // pixel's footprint on the receiver's plane; a footprint beyond the texels that it looked at is looked up place by place.
 #define FILTER_FOOTPRINT 1
+#define FILTER_DEFERS 1
 
 // How far a step of one pixel moves the receiver over its plane, world space: the caller's business.
 vec3 filter_step_x, filter_step_y;
@@ -10,25 +11,52 @@ const vec2 aa_places[aa_count] = vec2[aa_count](  // eight that share neither ro
     vec2(0.0625, -0.1875), vec2(-0.0625, 0.1875), vec2(0.3125, 0.0625), vec2(-0.1875, -0.3125), vec2(-0.3125, 0.3125),
     vec2(-0.4375, -0.0625), vec2(0.1875, 0.4375), vec2(0.4375, -0.4375));
 
-float filter_visible(vec3 world, vec4 plane) {
-  MapPoint p = map_point(world, plane);
-  float visible = storage_visible(p);
+struct Footprint {
+  vec2 step_x, step_y;  // of the pixel on the map, texels
+  float reach;
+};
+
+// False if it reaches beyond the texels that one look-up sees.
+bool footprint_at(MapPoint p, vec3 world, vec4 plane, out Footprint f) {
   MapPoint x = map_point(world + filter_step_x, plane), y = map_point(world + filter_step_y, plane);
-  vec2 step_x = (x.uv - p.uv) / p.texel, step_y = (y.uv - p.uv) / p.texel;
-  float reach = 0.5 * (length(step_x) + length(step_y));
-  if (x.layer == p.layer && y.layer == p.layer && reach < 1.0) {
-    vec2 border = storage_border(p, visible);
-    float squared = dot(border, border);
-    if (squared > reach * reach) return visible;
-    float beyond = 0.0;
-    for (uint i = 0; i < aa_count; ++i)
-      if (dot(aa_places[i].x * step_x + aa_places[i].y * step_y, border) > squared) beyond += 1.0 / float(aa_count);
-    return visible == 1.0 ? 1.0 - beyond : beyond;
-  }
-  uint decision = storage_decision;
-  float lit = 0.0;
+  f.step_x = (x.uv - p.uv) / p.texel;
+  f.step_y = (y.uv - p.uv) / p.texel;
+  f.reach = 0.5 * (length(f.step_x) + length(f.step_y));
+  return x.layer == p.layer && y.layer == p.layer && f.reach < 1.0;
+}
+
+// The footprint's lit share, if its middle is `visible` and the shadow's border passes at `border`, texels from it.
+float footprint_visible(Footprint f, float visible, vec2 border) {
+  float squared = dot(border, border), beyond = 0.0;
   for (uint i = 0; i < aa_count; ++i)
-    lit += storage_visible(map_point(world + aa_places[i].x * filter_step_x + aa_places[i].y * filter_step_y, plane));
-  storage_decision = decision;
-  return lit / float(aa_count);
+    if (dot(aa_places[i].x * f.step_x + aa_places[i].y * f.step_y, border) > squared) beyond += 1.0 / float(aa_count);
+  return visible == 1.0 ? 1.0 - beyond : beyond;
+}
+
+// In two passes: what one texel tells, and where that is not enough (false), the rest.
+bool filter_quick(vec3 world, vec4 plane, out float visible) {
+  MapPoint p = map_point(world, plane);
+  Footprint f;
+  vec2 border;
+  bool quick = storage_quick(p, visible) && footprint_at(p, world, plane, f) && storage_quick_border(p, visible, border);
+  if (quick) visible = footprint_visible(f, visible, border);
+  return quick;
+}
+
+float filter_deferred(vec3 world, vec4 plane) {
+  MapPoint p = map_point(world, plane);
+  Footprint f;
+  bool at_once = footprint_at(p, world, plane, f);
+  uint count = at_once ? 1 : aa_count;
+  float lit = 0.0;
+  for (uint i = 0; i < count; ++i) {
+    if (!at_once) p = map_point(world + aa_places[i].x * filter_step_x + aa_places[i].y * filter_step_y, plane);
+    lit += storage_visible(p);
+  }
+  return at_once ? footprint_visible(f, lit, storage_border(p, lit)) : lit / float(aa_count);
+}
+
+float filter_visible(vec3 world, vec4 plane) {
+  float visible;
+  return filter_quick(world, plane, visible) ? visible : filter_deferred(world, plane);
 }

@@ -7,6 +7,7 @@
 #include "shadow/storage/subpixel/silhouette.glsl"
 #include "shadow/storage/subpixel/tangents.glsl"
 
+#define STORAGE_DEFERS 1
 #define STORAGE_DECISIONS 3  // so many ways to come to an answer, from 1 on; `storage_decision` tells which
 
 // How the last receiver was decided (figure 14), by which of the 3x3 texels, and the nearest place of the shadow's border that recovery
@@ -75,65 +76,90 @@ bool subpixel_behind_tangents(MapPoint p, vec2 centre) {
   return behind > 0.0;
 }
 
-float storage_visible(MapPoint p) {
+// The centre of the texel in which the receiver lies, from the receiver.
+vec2 subpixel_centre(MapPoint p, ivec3 address) { return vec2(address.xy) + 0.5 - p.uv / p.texel; }
+
+// What the receiver's own texel decides. False: its neighbours have a say, see storage_deferred.
+bool storage_quick(MapPoint p, out float visible) {
   storage_decision = decided_by_one_texel;
   subpixel_decider = 4;
+  visible = 1.0;
   ivec3 address;
-  if (!p.valid || !map_fetch(p, ivec2(0), address)) return 1.0;
-  if (texelFetch(subpixel_minimum, address, 0).r >= min(p.depth - lookup.bias_scale * p.tolerance, 1.0)) return 1.0;
-
-  // The texel's own triangle first, then the neighbours', those on the receiver's side before the others.
-  vec2 centre = vec2(address.xy) + 0.5 - p.uv / p.texel;  // of the texel, from the receiver
-  ivec2 side = ivec2(centre.x < 0.0 ? 1 : -1, centre.y < 0.0 ? 1 : -1);
+  if (!p.valid || !map_fetch(p, ivec2(0), address)) return true;
+  if (texelFetch(subpixel_minimum, address, 0).r >= min(p.depth - lookup.bias_scale * p.tolerance, 1.0)) return true;
   Occluder o;
-  for (int k = 0; k < 9; ++k) {
+  subpixel_fetch(p, subpixel_centre(p, address), 4, o);
+  float error = occluder_error(o, vec2(0.0));
+  if (!o.averted && abs(o.depth) <= error) return true;
+  visible = 0.0;
+  return o.depth < -error && occluder_holds(o, vec2(0.0));
+}
+
+// What the texels around it tell where storage_quick could not.
+float storage_deferred(MapPoint p) {
+  // Those on the receiver's side before the others.
+  ivec3 address;
+  map_fetch(p, ivec2(0), address);
+  vec2 centre = subpixel_centre(p, address);
+  ivec2 side = ivec2(centre.x < 0.0 ? 1 : -1, centre.y < 0.0 ? 1 : -1);
+  storage_decision = decided_by_neighbours;
+  Occluder o;
+  for (int k = 1; k < 9; ++k) {
     ivec2 offset = subpixel_order[k] * side;
-    int i = 3 * offset.y + offset.x + 4;
-    if (!subpixel_fetch(p, centre, i, o)) continue;
-    float error = occluder_error(o, vec2(0.0));
-    if (k == 0 && !o.averted && abs(o.depth) <= error) return 1.0;
-    if (o.depth < -error && occluder_holds(o, vec2(0.0))) {
-      storage_decision = k == 0 ? decided_by_one_texel : decided_by_neighbours;
-      subpixel_decider = i;
-      return 0.0;
-    }
+    subpixel_decider = 3 * offset.y + offset.x + 4;
+    if (subpixel_fetch(p, centre, subpixel_decider, o) && o.depth < -occluder_error(o, vec2(0.0)) && occluder_holds(o, vec2(0.0))) return 0.0;
   }
+  if (subpixel.recovery == recovery_off) return 1.0;
   storage_decision = decided_by_recovery;
-  if (subpixel.recovery == recovery_off) {
-    storage_decision = decided_by_neighbours;
-    return 1.0;
-  }
   bool behind = subpixel.recovery == recovery_tangents ? subpixel_behind_tangents(p, centre) : subpixel_behind_silhouette(p, centre);
   return behind ? 0.0 : 1.0;
 }
 
-// The nearest place of the shadow's border to the receiver of the last `storage_visible`, which answered `visible`: texels from it, far
-// away where none is known.
+float storage_visible(MapPoint p) {
+  float visible;
+  return storage_quick(p, visible) ? visible : storage_deferred(p);
+}
+
+// The nearest place of the shadow's border to the receiver of the last look-up: texels from it, far away where none is known.
+// Under a triangle: its silhouettes, and where it passes through the receiver's plane.
+vec2 subpixel_border_under(Occluder o) {
+  vec2 border = -o.depth / max(dot(o.gradient, o.gradient), 1e-30) * o.gradient;
+  for (uint i = 0; i < 3; ++i) {
+    vec2 from, to, normal;
+    if (decode_silhouette(o.words[i]) && occluder_edge(o, i, from, to, normal)) nearer(border, nearest_place(from, to));
+  }
+  return border;
+}
+
+// Whether a texel around a lit receiver holds what lies before the receiver's plane there.
+bool subpixel_before(MapPoint p, vec2 centre, ivec2 offset) {
+  ivec3 address;
+  return map_fetch(p, offset, address) && texelFetch(subpixel_minimum, address, 0).r <
+                                              min(map_threshold(p) + dot(centre + vec2(offset), p.gradient * p.texel), 1.0);
+}
+
+// After storage_quick, which answered `visible`. False: storage_border must look farther.
+bool storage_quick_border(MapPoint p, float visible, out vec2 border) {
+  border = vec2(silhouette_none);
+  if (!p.valid) return true;
+  vec2 centre = 0.5 - fract(p.uv / p.texel);
+  bool before = false;
+  for (int i = 0; i < 9; ++i) before = before || subpixel_before(p, centre, subpixel_offset(i));
+  Occluder o;
+  if (visible == 0.0 && subpixel_fetch(p, centre, 4, o)) border = subpixel_border_under(o);
+  return visible == 0.0 || !before;
+}
+
+// The same after storage_visible.
 vec2 storage_border(MapPoint p, float visible) {
   const vec2 none = vec2(silhouette_none);
   if (!p.valid) return none;
   if (storage_decision == decided_by_recovery) return subpixel_border;
-  vec2 centre = 0.5 - fract(p.uv / p.texel), slope = p.gradient * p.texel;
+  vec2 centre = 0.5 - fract(p.uv / p.texel);
   Occluder o;
-  if (visible == 0.0) {
-    // Under a triangle: its silhouettes, and where it passes through the receiver's plane.
-    if (!subpixel_fetch(p, centre, subpixel_decider, o)) return none;
-    vec2 border = -o.depth / max(dot(o.gradient, o.gradient), 1e-30) * o.gradient;
-    for (uint i = 0; i < 3; ++i) {
-      vec2 from, to, normal;
-      if (decode_silhouette(o.words[i]) && occluder_edge(o, i, from, to, normal)) nearer(border, nearest_place(from, to));
-    }
-    return border;
-  }
-  float threshold = map_threshold(p);
+  if (visible == 0.0) return subpixel_fetch(p, centre, subpixel_decider, o) ? subpixel_border_under(o) : none;
   Silhouette s = no_silhouette;
-  for (int i = 0; i < 9; ++i) {
-    ivec2 offset = subpixel_offset(i);
-    ivec3 address;
-    if (map_fetch(p, offset, address) &&
-        texelFetch(subpixel_minimum, address, 0).r < min(threshold + dot(centre + vec2(offset), slope), 1.0) &&
-        subpixel_fetch(p, centre, i, o))
-      silhouette_add(s, o);
-  }
+  for (int i = 0; i < 9; ++i)
+    if (subpixel_before(p, centre, subpixel_offset(i)) && subpixel_fetch(p, centre, i, o)) silhouette_add(s, o);
   return s.border;
 }
