@@ -83,6 +83,11 @@ const std::vector<SpecKey>& all_keys() {
       choice_key("requests", "paged", {"bits", "sort"},
                  "bits: pixels mark pages in a bitmask; sort: RMSM's list of requests, made unique by connected "
                  "components, compaction, sort and compaction"),
+      choice_key("uniquify", "paged", {"auto", "none", "components", "compact", "full"},
+                 "how far the list of requests (this key asks for it) is thinned before it is used: not, by connected "
+                 "components, compacted too, or sorted and made unique too (auto: full; none with analysis=cpu)"),
+      choice_key("analysis", "paged", {"gpu", "cpu"},
+                 "who finds the pages in what pixels ask for: the device, or the host in a list that it reads back"),
       choice_key("statistics", "paged", {"off", "on"},
                  "also count how the filter's taps are answered and how much of the pages they read"),
       choice_key(

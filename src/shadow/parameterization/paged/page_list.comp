@@ -1,10 +1,13 @@
 // requests=sort (RMSM, algorithm 2, steps 1 to 3): the number of the page that each camera pixel asks for at each level it reads, ~0
-// where there is no receiver. The further pages of a filter that reaches over a border follow behind, as long as there is room; those
-// beyond are marked at once.
+// where it asks for none: no receiver, or with REFINE_EDGES (ASM, algorithm 1, steps 3 to 7) no shadow's edge. The further pages of a
+// filter that reaches over a border follow behind, as long as there is room; those beyond are marked at once.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 #include "shadow/parameterization/paged/paged.glsl"
+#ifdef REFINE_EDGES
+#include "shadow/parameterization/paged/page_edge.glsl"
+#endif
 #include "shadow/receivers.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -13,18 +16,22 @@ layout(set = 0, binding = 4, scalar) buffer RequestedOrFiner { uint requested_or
 layout(set = 0, binding = 5, scalar) buffer StateOut { PageState state; };
 layout(set = 0, binding = 6, scalar) writeonly buffer Requests { uint requests[]; };
 
+shared uint group_requests;
+
 #include "shadow/parameterization/paged/page_request.glsl"
 
-void main() {
-  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-  if (any(greaterThanEqual(pixel, ivec2(camera.size)))) return;
+void list_requests(ivec2 pixel) {
   Receiver r = receiver_at(pixel);
   if (!r.facing) return;
   uint pixels = uint(camera.size.x) * uint(camera.size.y), index = uint(pixel.y) * uint(camera.size.x) + uint(pixel.x);
   vec4 plane = vec4(r.normal, -dot(r.normal, r.world));
   uint face = paged_face(r.world), level = uint(map_level(r.world, plane));
+#ifdef REFINE_EDGES
+  MapPoint p;
+  if (!asks_for_finer(r.world, plane, level, p)) return;
+#endif
   vec2 uv = paged_uv(r.world, face);
-  atomicAdd(state.raw_requests, 1);
+  atomicAdd(group_requests, 1);
   for (uint i = 0; i < paged.footprint_levels && level + i <= paged.coarsest; ++i) {
     float size = level_size(level + i);
     vec2 low = floor(uv * size - paged.footprint), high = floor(uv * size + paged.footprint);
@@ -41,4 +48,13 @@ void main() {
       }
     }
   }
+}
+
+void main() {
+  if (gl_LocalInvocationIndex == 0) group_requests = 0;
+  barrier();
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  if (all(lessThan(pixel, ivec2(camera.size)))) list_requests(pixel);
+  barrier();
+  if (gl_LocalInvocationIndex == 0 && group_requests > 0) atomicAdd(state.raw_requests, group_requests);
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <numeric>
 
 #include "shaders/page_allocate_comp.h"
 #include "shaders/page_counts_comp.h"
@@ -13,6 +14,7 @@
 #include "shaders/page_plan_comp.h"
 #include "shaders/page_requests_comp.h"
 #include "shaders/page_statistics_comp.h"
+#include "shaders/page_use_comp.h"
 #include "shadewright/error.h"
 #include "shadow/parameterization/paged/paged_caster_draws.h"
 #include "shadow/parameterization/uniform/fit.h"
@@ -54,6 +56,19 @@ uint32_t lod(const std::string& name) {
   return name == "area" ? shared::lod_area : shared::lod_bounded;
 }
 
+uint32_t sum(std::span<const uint32_t> counts) {
+  return std::accumulate(counts.begin(), counts.end(), 0u);
+}
+
+/// What is sorted is unique unless told otherwise; the host of the paper's CPU variants gets all that pixels ask for.
+Uniquify uniquify(const Spec& spec) {
+  const std::string name = spec.choice("uniquify");
+  if (name == "auto") return spec.choice("analysis") == "cpu" ? Uniquify::none : Uniquify::full;
+  if (name == "none") return Uniquify::none;
+  if (name == "components") return Uniquify::components;
+  return name == "compact" ? Uniquify::compact : Uniquify::full;
+}
+
 }  // namespace
 
 Paged::Paged(const gpu::Device& device, const Spec& spec, const TechniqueOptions& options)
@@ -63,7 +78,10 @@ Paged::Paged(const gpu::Device& device, const Spec& spec, const TechniqueOptions
       pool_texels_(static_cast<uint32_t>(spec.number("pool"))),
       cached_(spec.choice("cache") == "on"),
       edges_(spec.choice("refine") == "edges"),
-      sorted_(spec.choice("requests") == "sort"),
+      listed_(spec.choice("requests") == "sort" || spec.choice("uniquify") != "auto" ||
+              spec.choice("analysis") == "cpu"),
+      on_host_(spec.choice("analysis") == "cpu"),
+      uniquify_(uniquify(spec)),
       changes_(device, options.frames_in_flight) {
   if (!std::has_single_bit(spec.resolution))
     throw InputError(spec.text, "a paged map's resolution is a power of two", "give 1024, 2048, ... 131072");
@@ -71,12 +89,11 @@ Paged::Paged(const gpu::Device& device, const Spec& spec, const TechniqueOptions
     throw InputError(spec.text, "the pool is no multiple of a block's 256 texels", "give 1024, 2048, 4096, ...");
   if (edges_ && spec.storage != "depth")
     throw InputError(spec.text, "edges are found in depths alone", "leave refine=edges out");
-  if (edges_ && sorted_)
-    throw InputError(spec.text, "refinement marks its requests as bits", "leave requests=sort or refine=edges out");
   top_ = static_cast<uint32_t>(std::countr_zero(spec.resolution / shared::page_texels));
   analysis_scale_ = static_cast<uint32_t>(std::stoul(spec.choice("analysis_scale")));
-  if (analysis_scale_ > 1 && (edges_ || sorted_))
-    throw InputError(spec.text, "only requests=bits without refinement may leave pixels out", "give analysis_scale=1");
+  if (analysis_scale_ > 1 && (edges_ || listed_))
+    throw InputError(spec.text, "only pixels that mark bits, without refinement, may be left out",
+                     "give analysis_scale=1, or leave refine, requests, uniquify and analysis out");
   const auto finest = static_cast<uint32_t>(spec.number("finest"));
   if (!std::has_single_bit(finest))
     throw InputError(spec.text, "the finest level's resolution is a power of two",
@@ -88,8 +105,7 @@ Paged::Paged(const gpu::Device& device, const Spec& spec, const TechniqueOptions
     results_.emplace_back(device, "page counters", sizeof(shared::PageState), gpu::HostAccess::read);
     std::memset(results_.back().mapped<std::byte>().data(), 0, sizeof(shared::PageState));
   }
-  if (spec.choice("statistics") == "on")
-    used_ = gpu::Buffer(device, "used texels", uint64_t{pool_texels_} * pool_texels_ / 8);
+  if (spec.choice("statistics") == "on") used_ = used_texels_buffer();
   state_ = gpu::Buffer(device, "page state", sizeof(shared::PageState));
   using enum gpu::BindingKind;
   levels_pass_ = gpu::ComputePass(device, shaders::page_levels_comp,
@@ -227,36 +243,50 @@ std::vector<gpu::Binding> Paged::lookup_bindings(uint32_t slot) const {
 
 void Paged::refine(const Frame& frame, const ReceiverLookup& lookup, gpu::Recorder& recorder,
                    const std::function<void()>& draw) {
-  if (sorted_) find_list(frame, lookup, recorder);
-  if (!edges_) return;
-  iterations_ = raw_requests_ = pages_drawn_ = 0;
-  const auto& result = results_[slot_].mapped<shared::PageState>()[0];
+  if (!waits()) return;
   make_passes(lookup.layout);
+  iterations_ = raw_requests_ = unique_requests_ = pages_drawn_ = 0;
+  list_counts_ = {};
+  const auto& result = results_[slot_].mapped<shared::PageState>()[0];
   do {
-    recorder.stage("page requests", [&](const vk::raii::CommandBuffer& commands) {
-      empty_requests(commands);
-      if (iterations_ == 0)
-        record_seed(commands);
-      else
-        dispatch_pixels(edges_pass_, frame, lookup, commands);
-    });
+    find_requests(frame, lookup, recorder, iterations_);
+    if (!edges_) return;
     recorder.stage("page allocation",
                    [&](const vk::raii::CommandBuffer& commands) { record_allocation(lookup, commands); });
     draw();
     recorder.wait();
     constants_[slot_].mapped<shared::PagedConstants>()[0].flush = 0;
     raw_requests_ += result.raw_requests;
+    if (iterations_ > 0) unique_requests_ += sum(result.requested);
     pages_drawn_ += result.pages_drawn;
   } while (++iterations_ < max_iterations && (iterations_ == 1 || result.pages_drawn > 0));
 }
 
+void Paged::find_requests(const Frame& frame, const ReceiverLookup& lookup, gpu::Recorder& recorder,
+                          uint32_t iteration) {
+  const bool seeds = edges_ && iteration == 0;
+  recorder.stage("page requests", [&](const vk::raii::CommandBuffer& commands) {
+    empty_requests(commands);
+    if (seeds || analysis_scale_ > 1) {
+      record_seed(commands);
+      gpu::memory_barrier(commands);
+    }
+    if (!seeds && !listed_) dispatch_pixels(edges_ ? edges_pass_ : requests_pass_, frame, lookup, commands);
+  });
+  if (!seeds && listed_) find_list(frame, lookup, recorder);
+}
+
 void Paged::find_list(const Frame& frame, const ReceiverLookup& lookup, gpu::Recorder& recorder) {
-  make_passes(lookup.layout);
   if (!list_)
-    list_ = RequestList(device_, frame.camera.width, frame.camera.height, spec_.filter == "trilinear" ? 2 : 1,
-                        words_ * 32 * faces_, lookup.layout, faces_ == 6);
-  recorder.stage("page requests", [&](const vk::raii::CommandBuffer& commands) { empty_requests(commands); });
-  list_.find(lookup, {requested_, requested_or_finer_, state_}, recorder);
+    list_ = RequestList(device_, {frame.camera.width, frame.camera.height, spec_.filter == "trilinear" ? 2u : 1u,
+                                  words_ * 32 * faces_, uniquify_, on_host_, edges_, lookup.layout, faces_ == 6});
+  const RequestMasks masks{requested_, requested_or_finer_, state_};
+  list_.find(lookup, masks, recorder);
+  recorder.stage("page requests",
+                 [&](const vk::raii::CommandBuffer& commands) { list_.mark(commands, constants_[slot_], masks); });
+  list_counts_.listed += list_.counts().listed;
+  list_counts_.compacted += list_.counts().compacted;
+  list_counts_.unique += list_.counts().unique;
 }
 
 void Paged::record_seed(const vk::raii::CommandBuffer& commands) const {
@@ -275,25 +305,13 @@ void Paged::record_seed(const vk::raii::CommandBuffer& commands) const {
 
 void Paged::record(const Frame& frame, const ReceiverLookup& lookup, gpu::Recorder& recorder) {
   make_passes(lookup.layout);
-  // Pages that refinement has drawn need no requests.
-  recorder.stage("page requests", [&](const vk::raii::CommandBuffer& commands) {
-    if (sorted_) {
-      list_.mark(commands, constants_[slot_], {requested_, requested_or_finer_, state_});
-    } else {
-      empty_requests(commands);
-      if (analysis_scale_ > 1) {
-        record_seed(commands);
-        gpu::memory_barrier(commands);
-      }
-      if (!edges_) dispatch_pixels(requests_pass_, frame, lookup, commands);
-    }
-  });
+  if (!waits()) find_requests(frame, lookup, recorder, 0);
   if (!edges_)
     recorder.stage("page allocation",
                    [&](const vk::raii::CommandBuffer& commands) { record_allocation(lookup, commands); });
   if (used_)
     recorder.stage("page statistics",
-                   [&](const vk::raii::CommandBuffer& commands) { record_statistics(frame, lookup, commands); });
+                   [&](const vk::raii::CommandBuffer& commands) { record_statistics(used_, lookup, commands); });
 }
 
 void Paged::make_passes(vk::DescriptorSetLayout lookup_layout) {
@@ -333,15 +351,18 @@ void Paged::dispatch_pixels(const gpu::ComputePass& pass, const Frame& frame, co
                 std::span(&lookup.set, 1));
 }
 
-void Paged::record_statistics(const Frame& frame, const ReceiverLookup& lookup,
-                              const vk::raii::CommandBuffer& commands) {
-  commands.fillBuffer(used_.handle(), 0, VK_WHOLE_SIZE, 0);
+gpu::Buffer Paged::used_texels_buffer() const {
+  return {device_, "used texels", uint64_t{pool_texels_} * pool_texels_ / 8};
+}
+
+void Paged::record_statistics(const gpu::Buffer& used, const ReceiverLookup& lookup,
+                              const vk::raii::CommandBuffer& commands) const {
+  commands.fillBuffer(used.handle(), 0, VK_WHOLE_SIZE, 0);
   gpu::memory_barrier(commands);
   std::vector<gpu::Binding> all(lookup.receivers.begin(), lookup.receivers.end());
   all.push_back(gpu::Binding::storage(state_));
-  all.push_back(gpu::Binding::storage(used_));
-  statistics_pass_.dispatch(commands, all, {},
-                            {gpu::groups(frame.camera.width, 8), gpu::groups(frame.camera.height, 8), 1},
+  all.push_back(gpu::Binding::storage(used));
+  statistics_pass_.dispatch(commands, all, {}, {gpu::groups(lookup.width, 8), gpu::groups(lookup.height, 8), 1},
                             std::span(&lookup.set, 1));
 }
 
@@ -382,28 +403,27 @@ void Paged::record_results(const vk::raii::CommandBuffer& commands) const {
 Counters Paged::counters() const {
   const auto& state = results_[slot_].mapped<shared::PageState>()[0];
   const auto number = [](uint32_t value) { return std::vector<double>{static_cast<double>(value)}; };
-  uint32_t unique = 0;
-  for (const uint32_t count : state.requested) unique += count;
   const auto resolution = static_cast<double>(spec_.resolution >> state.finest);
   Counters counters{{"effective_resolution", {resolution, resolution}},
                     {"raw_requests", number(state.raw_requests)},
-                    {"unique_requests", number(unique)},
+                    {"unique_requests", number(sum(state.requested))},
                     {"pages", number(state.pages)},
                     {"pages_drawn", number(state.pages_drawn)},
                     {"flushes", number(state.flushes)},
                     {"dropped_levels", number(state.finest - std::min(state.finest, finest_))},
                     {"triangle_page_pairs", number(state.pairs)},
                     {"clusters_not_drawn", number(state.late_clusters)}};
-  if (sorted_) {
-    counters["compacted_requests"] = number(list_.compacted());
-    counters["sorted_unique_requests"] = number(list_.unique());
+  if (listed_) {
+    counters["listed_requests"] = number(list_counts_.listed);
+    if (uniquify_ >= Uniquify::compact) counters["compacted_requests"] = number(list_counts_.compacted);
+    if (uniquify_ == Uniquify::full) counters["sorted_unique_requests"] = number(list_counts_.unique);
   }
   if (edges_) {
     counters["iterations"] = number(iterations_);
     counters["raw_requests"] = number(raw_requests_);
+    counters["unique_requests"] = number(unique_requests_);
     counters["pages"] = number(state.slots);
     counters["pages_drawn"] = number(pages_drawn_);
-    counters.erase("unique_requests");
   }
   if (used_) {
     counters["taps"] = number(state.taps);
@@ -415,10 +435,31 @@ Counters Paged::counters() const {
   return counters;
 }
 
-Picture Paged::debug_picture(std::string_view, const ReceiverLookup& lookup) {
+Picture Paged::debug_picture(std::string_view name, const ReceiverLookup& lookup) {
+  if (name == "page-use") return page_use(lookup);
   Picture picture{lookup.width, lookup.height, {}};
   for (const uint32_t word : receiver_words(device_, shaders::page_picture_comp, lookup, faces_ == 6))
     picture.pixels.push_back(std::bit_cast<glm::u8vec4>(word));
+  return picture;
+}
+
+Picture Paged::page_use(const ReceiverLookup& lookup) const {
+  using enum gpu::BindingKind;
+  const gpu::ComputePass pass(device_, shaders::page_use_comp, {storage_buffer, storage_buffer}, 0,
+                              std::span(&lookup.layout, 1), faces_ == 6);
+  const uint32_t side = 1u << top_;
+  Picture picture{side + side / 2, side * faces_, {}};
+  picture.pixels.resize(size_t{picture.width} * picture.height);
+  const uint64_t bytes = picture.pixels.size() * sizeof(glm::u8vec4);
+  const gpu::Buffer used = used_texels_buffer(), colors(device_, "use of pages", bytes);
+  gpu::submit_and_wait(device_, [&](const vk::raii::CommandBuffer& commands) {
+    commands.fillBuffer(colors.handle(), 0, VK_WHOLE_SIZE, ~0u);
+    record_statistics(used, lookup, commands);
+    gpu::memory_barrier(commands);
+    pass.dispatch(commands, std::array{gpu::Binding::storage(used), gpu::Binding::storage(colors)}, {},
+                  {gpu::groups(words_ * faces_, 64), 1, 1}, std::span(&lookup.set, 1));
+  });
+  std::memcpy(picture.pixels.data(), gpu::read_back(device_, colors, bytes).data(), bytes);
   return picture;
 }
 

@@ -33,8 +33,8 @@ class Paged final : public Parameterization {
   Traits traits() const override {
     return {.contiguous = false,
             .gpu_driven = true,
-            .needs_readback = edges_ || sorted_,
-            .without_readback = "choose refine=none and requests=bits"};
+            .needs_readback = waits(),
+            .without_readback = "choose refine=none, requests=bits and analysis=gpu"};
   }
   uint32_t max_views() const override { return 6; }
   MapExtent map_extent(LightKind light) const override;
@@ -50,8 +50,9 @@ class Paged final : public Parameterization {
 
   Counters counters() const override;
   std::vector<Allocation> allocations() const override;
-  std::vector<std::string> debug_names() const override { return {"pages"}; }
-  /// pages: each pixel in the colour of its level, page borders dark (figure 4).
+  std::vector<std::string> debug_names() const override { return {"pages", "page-use"}; }
+  /// pages: each pixel in the colour of its level, page borders dark (figure 4). page-use: each page of the table by
+  /// how many of its texels are read (figure 14).
   Picture debug_picture(std::string_view name, const ReceiverLookup& lookup) override;
 
   const gpu::Buffer& state() const { return state_; }
@@ -72,7 +73,11 @@ class Paged final : public Parameterization {
   bool fits(const Frame& frame) const;
   void write_constants(const Frame& frame);
   void make_passes(vk::DescriptorSetLayout lookup_layout);
-  /// Finds the requests of requests=sort.
+  /// True if the host must know what the device has found before it can go on.
+  bool waits() const { return edges_ || listed_; }
+  /// Marks the pages that the frame's pixels ask for: the `iteration`th time, of refine=edges.
+  void find_requests(const Frame& frame, const ReceiverLookup& lookup, gpu::Recorder& recorder, uint32_t iteration);
+  /// Has pixels ask by way of the list.
   void find_list(const Frame& frame, const ReceiverLookup& lookup, gpu::Recorder& recorder);
   void empty_requests(const vk::raii::CommandBuffer& commands);
   /// Asks for all pages of the level that refinement starts from, and that serves what a coarser analysis misses.
@@ -80,14 +85,21 @@ class Paged final : public Parameterization {
   /// Dispatches a pass over the camera's pixels that requests pages.
   void dispatch_pixels(const gpu::ComputePass& pass, const Frame& frame, const ReceiverLookup& lookup,
                        const vk::raii::CommandBuffer& commands) const;
-  void record_statistics(const Frame& frame, const ReceiverLookup& lookup, const vk::raii::CommandBuffer& commands);
+  /// Marks which texels of the pool the look-up reads: a bit each, in `used`.
+  void record_statistics(const gpu::Buffer& used, const ReceiverLookup& lookup,
+                         const vk::raii::CommandBuffer& commands) const;
+  gpu::Buffer used_texels_buffer() const;
+  Picture page_use(const ReceiverLookup& lookup) const;
   void record_allocation(const ReceiverLookup& lookup, const vk::raii::CommandBuffer& commands);
 
   const gpu::Device& device_;
   Spec spec_;
   uint32_t frames_in_flight_, pool_texels_, top_ = 0, finest_ = 0, analysis_scale_ = 1, words_ = 0, faces_ = 0;
-  bool cached_, edges_, sorted_;
-  uint32_t iterations_ = 0, raw_requests_ = 0, pages_drawn_ = 0;  ///< of refine=edges, in the last frame
+  bool cached_, edges_;
+  bool listed_, on_host_;  ///< requests come by a list; the host makes it unique
+  Uniquify uniquify_;
+  uint32_t iterations_ = 0, raw_requests_ = 0, unique_requests_ = 0, pages_drawn_ = 0;  ///< of refine=edges, a frame
+  RequestCounts list_counts_;                                                           ///< in the last frame
   CasterChanges changes_;
   bool table_is_void_ = true, new_fit_ = true;
   std::vector<MapView> views_;
@@ -95,7 +107,7 @@ class Paged final : public Parameterization {
   std::vector<Box> held_;                 ///< what each view holds, see receiver_bounds
   gpu::ComputePass requests_pass_, edges_pass_, levels_pass_, plan_pass_, counts_pass_, allocate_pass_,
       statistics_pass_, invalidate_pass_;
-  RequestList list_;  ///< of requests=sort
+  RequestList list_;
   gpu::Scan scan_;
   std::vector<gpu::Buffer> constants_, results_;  ///< by slot: host-written, host-read
   uint32_t slot_ = 0;

@@ -1,22 +1,11 @@
 // Paged maps against ray tracing, and what their counters promise.
-#include <gtest/gtest.h>
-
-#include "gpu/device_for_test.h"
 #include "shadewright/compare/path_study.h"
 #include "shadewright/error.h"
 #include "shadewright/scene/builtin.h"
+#include "shadow/parameterization/paged/paged_for_test.h"
 
 namespace shadewright::compare {
 namespace {
-
-class PagedTest : public gpu::DeviceTest {
- protected:
-  static StudyOptions small() { return {384, 384, 0, 0, true}; }
-  static TechniqueResult run(Study& study, const std::string& spec) {
-    return study.run(shadow::parse_spec(spec)).result;
-  }
-  static double counter(const TechniqueResult& result, const char* name) { return result.counters.at(name).front(); }
-};
 
 /// A texel a pixel: what is wrong lies along the edges, and the texel that is asked holds what the oracle says.
 TEST_F(PagedTest, ShadowsAreRightUpToAPixel) {

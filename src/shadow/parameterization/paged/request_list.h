@@ -1,5 +1,6 @@
-// The pages that a frame's pixels ask for as a list without repetitions: RMSM's algorithm 2, steps 1 to 8: a request a
-// pixel, connected components, compaction, sort, compaction. The host reads the two counts, as the paper's does.
+// The pages that a frame's pixels ask for as a list: a request a pixel, thinned by RMSM's algorithm 2, steps 4 to 8:
+// connected components, compaction, sort, compaction. How far (section 3.2 adds one step after the other) and who finds
+// the pages in what is left, the device or the host, can be chosen. The host reads the counts, as the paper's does.
 #pragma once
 
 #include <functional>
@@ -15,13 +16,31 @@ struct RequestMasks {
   const gpu::Buffer &requested, &requested_or_finer, &state;
 };
 
+/// Which steps thin the list before it is used; each takes those before it along.
+enum class Uniquify { none, components, compact, full };
+
+struct RequestListDesc {
+  uint32_t width = 0, height = 0;  ///< of the image
+  uint32_t levels = 1;             ///< at which a pixel asks for a page
+  uint32_t pages = 0;              ///< their numbers are below
+  Uniquify uniquify = Uniquify::full;
+  bool on_host = false;  ///< the host makes unique what is left
+  bool edges = false;    ///< only pixels on coarse shadows' edges ask
+  vk::DescriptorSetLayout lookup_layout;
+  bool six_faces = false;
+};
+
+/// Lengths of the list on its way; 0 for what is not known because the step was left out.
+struct RequestCounts {
+  uint32_t listed = 0;     ///< entries that are used, of a list that is not compacted with its gaps
+  uint32_t compacted = 0;  ///< requests left by the first compaction: what is sorted
+  uint32_t unique = 0;     ///< left by the second, or by the host
+};
+
 class RequestList {
  public:
   RequestList() = default;
-  /// For an image of `width` x `height` pixels that ask for a page at each of `levels` levels. Pages are numbered below
-  /// `pages`.
-  RequestList(const gpu::Device& device, uint32_t width, uint32_t height, uint32_t levels, uint32_t pages,
-              vk::DescriptorSetLayout lookup_layout, bool six_faces);
+  RequestList(const gpu::Device& device, const RequestListDesc& desc);
 
   /// Fills the list from the receivers, and marks what it has no room for. Submits and waits.
   void find(const ReceiverLookup& lookup, const RequestMasks& masks, gpu::Recorder& recorder);
@@ -29,20 +48,29 @@ class RequestList {
   void mark(const vk::raii::CommandBuffer& commands, const gpu::Buffer& constants, const RequestMasks& masks) const;
 
   explicit operator bool() const { return capacity_ > 0; }
-  uint32_t compacted() const { return compacted_; }  ///< requests left by the first compaction: what is sorted
-  uint32_t unique() const { return unique_; }
+  /// Of the list that was found last.
+  const RequestCounts& counts() const { return counts_; }
   std::vector<Allocation> allocations() const;
 
  private:
+  /// Where the thinned list stands.
+  const gpu::Buffer& thinned() const;
+  void list(const ReceiverLookup& lookup, const RequestMasks& masks, gpu::Recorder& recorder) const;
+  void thin(gpu::Recorder& recorder);
+  /// Hands the list to the host, which leaves each page once.
+  void make_unique_on_host(gpu::Recorder& recorder);
   uint32_t read_count(const std::function<void(const vk::raii::CommandBuffer&)>& compact, uint32_t of,
                       const char* stage, gpu::Recorder& recorder) const;
 
-  glm::uvec2 size_{0};
-  uint32_t levels_ = 0, key_bits_ = 0, capacity_ = 0, compacted_ = 0, unique_ = 0;
+  RequestListDesc desc_;
+  uint32_t capacity_ = 0;
+  RequestCounts counts_;
   gpu::ComputePass list_pass_, components_pass_, mark_pass_;
   gpu::Compaction compaction_;
   gpu::RadixSort sort_;
   gpu::Buffer requests_, kept_, count_;
+  gpu::Buffer on_host_;         ///< read and written by the host while no frame is under way
+  std::vector<uint32_t> seen_;  ///< a bit a page
 };
 
 }  // namespace shadewright::shadow
