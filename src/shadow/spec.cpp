@@ -88,6 +88,10 @@ const std::vector<SpecKey>& all_keys() {
                  "components, compacted too, or sorted and made unique too (auto: full; none with analysis=cpu)"),
       choice_key("analysis", "paged", {"gpu", "cpu"},
                  "who finds the pages in what pixels ask for: the device, or the host in a list that it reads back"),
+      choice_key(
+          "draw", "paged", {"pages", "superpages"},
+          "pages: straight into the pool; superpages: RMSM's way, 1,024^2 texels of a level by each pass over the "
+          "casters, out of which pages are copied"),
       choice_key("statistics", "paged", {"off", "on"},
                  "also count how the filter's taps are answered and how much of the pages they read"),
       choice_key(

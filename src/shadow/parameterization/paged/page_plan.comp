@@ -42,7 +42,7 @@ void main() {
   bool counted = finest == paged.finest && (!flush || paged.flush != 0);
   uint room = paged.pool_pages - state.slots - fresh;
   state.block_least = block_pages + 1;
-  if (room < block_pages && state.slots % block_pages != 0) return;
+  if (paged.blocks == 0 || (room < block_pages && state.slots % block_pages != 0)) return;
   state.block_least = block_pages;
   room -= min(room, block_pages - 1);
   for (uint extra = 0; counted && state.block_least > worth; --state.block_least) {

@@ -17,6 +17,7 @@
 #include "shaders/page_use_comp.h"
 #include "shadewright/error.h"
 #include "shadow/parameterization/paged/paged_caster_draws.h"
+#include "shadow/parameterization/paged/superpage_caster_draws.h"
 #include "shadow/parameterization/uniform/fit.h"
 #include "shadow/receiver_words.h"
 
@@ -29,9 +30,9 @@ constexpr uint32_t max_iterations = 64;
 constexpr uint32_t seed = 5;           // a level of 4^5 pages, 1,024^2 texels, from which refinement starts
 constexpr uint32_t epochs = 1u << 11;  // the table's entries tell so many apart, see paged.glsl
 
+/// 32-bit words of a bit a page.
 uint32_t words_of(uint32_t top) {
-  const uint32_t k = top + 1;
-  return k < 3 ? k : 3 + ((1u << 2 * k) - 64) / 96;
+  return first_page_number(top + 1) / 32;
 }
 
 /// Receivers' bounds with the same width on both axes of the map, so that texels are square.
@@ -82,6 +83,7 @@ Paged::Paged(const gpu::Device& device, const Spec& spec, const TechniqueOptions
               spec.choice("analysis") == "cpu"),
       on_host_(spec.choice("analysis") == "cpu"),
       uniquify_(uniquify(spec)),
+      bins_superpages_(spec.choice("draw") == "superpages"),
       changes_(device, options.frames_in_flight) {
   if (!std::has_single_bit(spec.resolution))
     throw InputError(spec.text, "a paged map's resolution is a power of two", "give 1024, 2048, ... 131072");
@@ -89,6 +91,8 @@ Paged::Paged(const gpu::Device& device, const Spec& spec, const TechniqueOptions
     throw InputError(spec.text, "the pool is no multiple of a block's 256 texels", "give 1024, 2048, 4096, ...");
   if (edges_ && spec.storage != "depth")
     throw InputError(spec.text, "edges are found in depths alone", "leave refine=edges out");
+  if (bins_superpages_ && spec.storage != "depth")
+    throw InputError(spec.text, "superpages are copied as depths alone", "leave draw=superpages out");
   top_ = static_cast<uint32_t>(std::countr_zero(spec.resolution / shared::page_texels));
   analysis_scale_ = static_cast<uint32_t>(std::stoul(spec.choice("analysis_scale")));
   if (analysis_scale_ > 1 && (edges_ || listed_))
@@ -122,6 +126,7 @@ MapExtent Paged::map_extent(LightKind) const {
 
 std::unique_ptr<CasterDraws> Paged::make_caster_draws(LightKind light, uint32_t) {
   make_tables(light);
+  if (bins_superpages_) return std::make_unique<SuperpageCasterDraws>(device_, *this, frames_in_flight_);
   return std::make_unique<PagedCasterDraws>(device_, *this, light == LightKind::point);
 }
 
@@ -144,6 +149,13 @@ void Paged::make_tables(LightKind light) {
   table_ = gpu::Buffer(device_, "page table", pages * sizeof(uint32_t));
   const uint64_t pool_pages = uint64_t{pool_texels_} * pool_texels_ / (shared::page_texels * shared::page_texels);
   emptied_ = gpu::Buffer(device_, "emptied pages", pool_pages * sizeof(uint32_t));
+  if (bins_superpages_) {
+    draw_on_host_ = gpu::Buffer(device_, "pages to draw on the host", words * sizeof(uint32_t), gpu::HostAccess::read);
+    superpage_pages_.clear();
+    for (uint32_t i = 0; i < frames_in_flight_; ++i)
+      superpage_pages_.emplace_back(device_, "pages of superpages", pool_pages * sizeof(uint32_t),
+                                    gpu::HostAccess::write);
+  }
   table_is_void_ = true;
   scan_ = gpu::Scan(device_, words);
   list_ = {};
@@ -213,6 +225,7 @@ void Paged::write_constants(const Frame& frame) {
   // The table's epochs run out: what the device told last is some frames old.
   table_is_void_ |= results_[slot_].mapped<shared::PageState>()[0].epoch + 2 * frames_in_flight_ >= epochs;
   constants.flush = !cached_ || new_fit_ || table_is_void_ ? 1 : 0;
+  constants.blocks = bins_superpages_ ? 0 : 1;
   new_fit_ = false;
   constants.analysis_scale = analysis_scale_;
   constants.lod = lod(spec_.choice("lod"));
@@ -246,13 +259,16 @@ void Paged::refine(const Frame& frame, const ReceiverLookup& lookup, gpu::Record
   if (!waits()) return;
   make_passes(lookup.layout);
   iterations_ = raw_requests_ = unique_requests_ = pages_drawn_ = 0;
+  superpage_count_ = 0;
   list_counts_ = {};
   const auto& result = results_[slot_].mapped<shared::PageState>()[0];
   do {
     find_requests(frame, lookup, recorder, iterations_);
-    if (!edges_) return;
+    if (!edges_ && !bins_superpages_) return;
     recorder.stage("page allocation",
                    [&](const vk::raii::CommandBuffer& commands) { record_allocation(lookup, commands); });
+    if (bins_superpages_) find_superpages(recorder);
+    if (!edges_) return;
     draw();
     recorder.wait();
     constants_[slot_].mapped<shared::PagedConstants>()[0].flush = 0;
@@ -306,7 +322,7 @@ void Paged::record_seed(const vk::raii::CommandBuffer& commands) const {
 void Paged::record(const Frame& frame, const ReceiverLookup& lookup, gpu::Recorder& recorder) {
   make_passes(lookup.layout);
   if (!waits()) find_requests(frame, lookup, recorder, 0);
-  if (!edges_)
+  if (!edges_ && !bins_superpages_)
     recorder.stage("page allocation",
                    [&](const vk::raii::CommandBuffer& commands) { record_allocation(lookup, commands); });
   if (used_)
@@ -396,6 +412,19 @@ void Paged::record_allocation(const ReceiverLookup& lookup, const vk::raii::Comm
                           {}, groups, sets);
 }
 
+void Paged::find_superpages(gpu::Recorder& recorder) {
+  const uint32_t words = words_ * faces_;
+  recorder.stage("pages to the host", [&](const vk::raii::CommandBuffer& commands) {
+    commands.copyBuffer(draw_.handle(), draw_on_host_.handle(), vk::BufferCopy(0, 0, words * sizeof(uint32_t)));
+  });
+  recorder.wait();
+  recorder.cpu_stage("superpages", [&] {
+    bin_superpages(draw_on_host_.mapped<uint32_t>().first(words), words_, top_,
+                   superpage_pages_[slot_].mapped<uint32_t>(), superpages_);
+  });
+  superpage_count_ += static_cast<uint32_t>(superpages_.size());
+}
+
 void Paged::record_results(const vk::raii::CommandBuffer& commands) const {
   commands.copyBuffer(state_.handle(), results_[slot_].handle(), vk::BufferCopy(0, 0, sizeof(shared::PageState)));
 }
@@ -413,6 +442,7 @@ Counters Paged::counters() const {
                     {"dropped_levels", number(state.finest - std::min(state.finest, finest_))},
                     {"triangle_page_pairs", number(state.pairs)},
                     {"clusters_not_drawn", number(state.late_clusters)}};
+  if (bins_superpages_) counters["superpages"] = number(superpage_count_);
   if (listed_) {
     counters["listed_requests"] = number(list_counts_.listed);
     if (uniquify_ >= Uniquify::compact) counters["compacted_requests"] = number(list_counts_.compacted);
@@ -471,6 +501,8 @@ std::vector<Allocation> Paged::allocations() const {
       result.push_back(buffer->allocation());
   for (const auto* buffers : {&constants_, &results_})
     for (const auto& buffer : *buffers) result.push_back(buffer.allocation());
+  if (draw_on_host_) result.push_back(draw_on_host_.allocation());
+  for (const auto& buffer : superpage_pages_) result.push_back(buffer.allocation());
   if (list_)
     for (auto& allocation : list_.allocations()) result.push_back(std::move(allocation));
   if (used_) result.push_back(used_.allocation());

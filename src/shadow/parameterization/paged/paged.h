@@ -10,8 +10,8 @@
 // 4. The pairs are drawn straight into the pool: by one draw those that stay inside, by another the small ones that do
 //    not (their fragments outside are thrown away), by a third those that are clipped at the border.
 // 5. A look-up finds its page by one read of the table; where none is, by the next coarser one.
-// The paper sorts requests (here: bits, no sort), draws 1,024^2 superpages and copies pages out of them (here: no
-// copy).
+// The paper sorts requests (here: bits, no sort; requests=sort is the paper's way), draws 1,024^2 superpages and copies
+// pages out of them (here: no copy; draw=superpages is the paper's way).
 #pragma once
 
 #include <functional>
@@ -20,6 +20,7 @@
 #include "shadow/parameterization/paged/caster_changes.h"
 #include "shadow/parameterization/paged/request_list.h"
 #include "shadow/parameterization/paged/shared.h"
+#include "shadow/parameterization/paged/superpages.h"
 #include "shadow/parameterization/parameterization.h"
 #include "shadow/parameterization/uniform/fit.h"
 
@@ -34,7 +35,7 @@ class Paged final : public Parameterization {
     return {.contiguous = false,
             .gpu_driven = true,
             .needs_readback = waits(),
-            .without_readback = "choose refine=none, requests=bits and analysis=gpu"};
+            .without_readback = "choose refine=none, requests=bits, analysis=gpu and draw=pages"};
   }
   uint32_t max_views() const override { return 6; }
   MapExtent map_extent(LightKind light) const override;
@@ -62,6 +63,11 @@ class Paged final : public Parameterization {
   /// What is emptied before it is drawn: units (see page_clear.vert); their draw is in the state.
   const gpu::Buffer& emptied() const { return emptied_; }
   uint32_t pool_texels() const { return pool_texels_; }
+  /// Texels an axis of a level.
+  double level_texels(uint32_t level) const { return spec_.resolution >> level; }
+  /// Of draw=superpages: those that hold a page to draw, and the numbers of their pages.
+  std::span<const Superpage> superpages() const { return superpages_; }
+  const gpu::Buffer& superpage_pages() const { return superpage_pages_[slot_]; }
   /// Keeps the frame's state where `counters` reads it.
   void record_results(const vk::raii::CommandBuffer& commands) const;
 
@@ -74,7 +80,7 @@ class Paged final : public Parameterization {
   void write_constants(const Frame& frame);
   void make_passes(vk::DescriptorSetLayout lookup_layout);
   /// True if the host must know what the device has found before it can go on.
-  bool waits() const { return edges_ || listed_; }
+  bool waits() const { return edges_ || listed_ || bins_superpages_; }
   /// Marks the pages that the frame's pixels ask for: the `iteration`th time, of refine=edges.
   void find_requests(const Frame& frame, const ReceiverLookup& lookup, gpu::Recorder& recorder, uint32_t iteration);
   /// Has pixels ask by way of the list.
@@ -91,6 +97,8 @@ class Paged final : public Parameterization {
   gpu::Buffer used_texels_buffer() const;
   Picture page_use(const ReceiverLookup& lookup) const;
   void record_allocation(const ReceiverLookup& lookup, const vk::raii::CommandBuffer& commands);
+  /// Bins the pages to draw on the host, which waits for them.
+  void find_superpages(gpu::Recorder& recorder);
 
   const gpu::Device& device_;
   Spec spec_;
@@ -99,7 +107,12 @@ class Paged final : public Parameterization {
   bool listed_, on_host_;  ///< requests come by a list; the host makes it unique
   Uniquify uniquify_;
   uint32_t iterations_ = 0, raw_requests_ = 0, unique_requests_ = 0, pages_drawn_ = 0;  ///< of refine=edges, a frame
-  RequestCounts list_counts_;                                                           ///< in the last frame
+  bool bins_superpages_;
+  uint32_t superpage_count_ = 0;  ///< drawn in the last frame
+  std::vector<Superpage> superpages_;
+  gpu::Buffer draw_on_host_;                  ///< `draw_`, host-read
+  std::vector<gpu::Buffer> superpage_pages_;  ///< by slot: host-written
+  RequestCounts list_counts_;                 ///< in the last frame
   CasterChanges changes_;
   bool table_is_void_ = true, new_fit_ = true;
   std::vector<MapView> views_;

@@ -6,11 +6,13 @@
 
 #ifdef __cplusplus
 namespace shadewright::shared {
+using glm::uvec2;
 using glm::uvec3;
 #endif
 
 const uint page_texels = 32, max_page_levels = 13;
 const uint block_pages = 32;  // 8 x 4 pages: a word of a bitmask
+const uint superpage_texels = 1024;
 
 const uint lod_area = 0, lod_box = 1, lod_axis = 2, lod_bounded = 3;
 
@@ -25,7 +27,8 @@ struct PagedConstants {
   uint words;       // of 32 pages, of one face
   uint pool_width;  // pages
   uint pool_pages;
-  uint flush;  // 1: nothing kept from earlier frames counts
+  uint flush;   // 1: nothing kept from earlier frames counts
+  uint blocks;  // 1: blocks of pages may be drawn as one
   uint lod;
   uint analysis_scale;    // pixels from one that asks to the next
   float footprint;        // half width of what a filter asks, texels
@@ -88,6 +91,13 @@ struct PageCluster {
 /// What is drawn as one: a page, or a whole block of pages that are neighbours in the pool too: its first slot, and
 /// this.
 const uint unit_block = 0x10000u;
+
+/// draw=superpages: what is drawn by one pass over the casters, and copied to the pool.
+struct SuperpagePlace {
+  uint face;
+  uint level;
+  uvec2 first_page;  // at its corner
+};
 
 /// World bounds in which casters have changed.
 struct ChangedBox {
