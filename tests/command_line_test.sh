@@ -56,6 +56,8 @@ refuses 2 'several images' render builtin:street -t sm -o - --path main --frames
 refuses 2 'report.json' compare builtin:spheres -t sm -o out --against missing.json "${small[@]}"
 refuses 2 'downwards' compare builtin:spheres -t sm@1024..512 -o out "${small[@]}"
 refuses 2 'leave tessellation out' render builtin:spheres -t rectilinear/moments/hard,tessellation=off -o x.png "${small[@]}"
+refuses 2 'analysis_scale=1' render builtin:spheres -t rmsm,analysis_scale=2,uniquify=none -o x.png "${small[@]}"
+refuses 2 'one of auto, none' render builtin:spheres -t rmsm,uniquify=some -o x.png "${small[@]}"
 refuses 2 'not built yet' view
 refuses 2 'help' render
 refuses 2 'help' nonsense
@@ -77,6 +79,8 @@ works compare builtin:spheres -t sm@256 -o points --points auto --against-triang
   grep -q 'Against triangles' points/report.json || fail "what points cost is not told"
 works render builtin:city -t csm@256,splits=sdsm,stable=1 -o csm.png --debug cascades --debug shadow-map "${small[@]}"
 [ -s csm-cascades.png ] && [ -s csm-shadow-map.png ] || fail "no debug picture of the cascades"
+works render builtin:city -t asm@4096,uniquify=compact,analysis=cpu,draw=superpages -o pages.png --debug pages --debug page-use "${small[@]}"
+[ -s pages-pages.png ] && [ -s pages-page-use.png ] || fail "no debug picture of the pages"
 works compare builtin:chess -t cascaded@256,cascades=8 -t vsm@256,blur=2,bleeding=0.2 -t cascaded/moments/hard@256 -o three \
   --size 160x90 --repeat 1 --validation
 works render --help-spec
