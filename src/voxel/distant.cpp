@@ -31,19 +31,23 @@ double node_visibility(const DagView& dag, const glm::uvec3& voxel, uint32_t hei
   return 1.0 - double(dag.nodes[at] >> 16) / 65535.0;
 }
 
-/// Occupancy around a receiver, between the heights below and above `log2_side`.
+/// Occupancy before a receiver, between the heights below and above `log2_side`. Half a node's offset, as the paper has
+/// it, leaves the receiver's own surface in some nodes: its pattern shows on open ground.
 float occupancy_visibility(const DagView& dag, const LightGrid& light, const SurfacePoint& point, double log2_side) {
   const double side = std::clamp(log2_side, double(kSlabHeight), double(dag.log2_size - dag.log2_grid));
-  const double half_node = 0.5 * std::exp2(side);
-  const glm::dvec3 world(point.position);
-  const glm::dvec3 clear = light.distant_receiver(world, glm::dvec3(point.normal), half_node);
-  const glm::dvec3 at = light.voxel(clear + light.towards_light(world) * (half_node * light.voxel_extent(world).z));
+  const glm::dvec3 world(point.position), at = light.voxel(world);
   const double size = light.size();
-  if (!(at.x >= 0 && at.x < size && at.y >= 0 && at.y < size && at.z >= 0)) return 1.0f;
-  const glm::uvec3 voxel(uint32_t(at.x), uint32_t(at.y), uint32_t(std::min(at.z, double(light.depth() - 1))));
+  if (!(at.x >= 0 && at.x < size && at.y >= 0 && at.y < size && at.z >= 0 && at.z < 4e6)) return 1.0f;
+  const glm::dvec2 slope = light.plane_slope(world, glm::dvec3(point.normal));
+  const auto visibility = [&](uint32_t height) {
+    const glm::ivec3 node = LightGrid::clear_node(at, slope, height);
+    if (node.z < 0) return 1.0;
+    const glm::uvec3 voxel = glm::uvec3(node) << height;
+    return node_visibility(dag, {voxel.x, voxel.y, std::min(voxel.z, light.depth() - 1)}, height);
+  };
   const double low = std::floor(side), share = side - low;
-  const double fine = node_visibility(dag, voxel, uint32_t(low));
-  return float(share == 0 ? fine : std::lerp(fine, node_visibility(dag, voxel, uint32_t(low) + 1), share));
+  const double fine = visibility(uint32_t(low));
+  return float(share == 0 ? fine : std::lerp(fine, visibility(uint32_t(low) + 1), share));
 }
 
 }  // namespace

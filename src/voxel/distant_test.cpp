@@ -1,6 +1,7 @@
 // MRAA against the coarse DAG's own filter, VOAA against counted voxels.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "shadewright/error.h"
@@ -59,15 +60,45 @@ TEST_F(DistantLookup, OccupancyIsTheShareOfVisibleVoxels) {
   const std::vector<float> result = ask(float(32.0 * texel()), 3, Distant::voaa);  // nodes half as wide
   for (size_t i = 0; i < points_.size(); i += 10) {
     const LightGrid& light = shadow_.light();
-    const glm::dvec3 world(points_[i].position), up = light.towards_light(world);
-    const glm::dvec3 at = light.voxel(light.distant_receiver(world, {0, 1, 0}, 8) + up * (8 * light.voxel_depth));
-    const glm::ivec3 corner = glm::ivec3(glm::floor(at)) & ~15;
+    const glm::dvec3 world(points_[i].position);
+    const glm::ivec3 corner = LightGrid::clear_node(light.voxel(world), light.plane_slope(world, {0, 1, 0}), 4)
+                              << glm::ivec3(4);
     if (glm::any(glm::lessThan(corner, glm::ivec3(0))) || glm::any(glm::greaterThan(corner, glm::ivec3(496)))) continue;
     int lit = 0;
     for (int v = 0; v < 16 * 16 * 16; ++v) lit += shadow_.visible(corner + glm::ivec3(v & 15, v >> 4 & 15, v >> 8));
     // The side is 16 up to float rounding of the footprint, hence a trace of the next height.
     EXPECT_NEAR(result[i], double(lit) / 4096, 1e-3) << i;
   }
+}
+
+/// However wide the pixel and wherever the nodes lie in its plane.
+TEST(DistantReceivers, OpenGroundDoesNotShadeItself) {
+  Scene scene;
+  scene.meshes.resize(1);
+  scene.meshes[0].positions = {{-8, 0.1f, -8}, {8, -0.7f, -8}, {8, 0.4f, 8}, {-8, 1.2f, 8}};
+  scene.meshes[0].triangles = {{0, 2, 1}, {0, 3, 2}};
+  scene.instances.resize(1);
+  const glm::vec3 a = scene.meshes[0].positions[0], across = scene.meshes[0].positions[1] - a,
+                  down = scene.meshes[0].positions[3] - a;
+  const glm::vec3 normal = glm::normalize(glm::cross(down, across));
+  Light light;
+  light.direction = glm::normalize(glm::dvec3(0.8, -1, 0.35));
+  BakeOptions options;
+  options.resolution = 1024;
+  options.pyramid = true;
+  const VoxelShadow shadow = bake(scene, light, options).shadow;
+  std::mt19937 random(2014);
+  std::uniform_real_distribution<float> any(0.1f, 0.9f);
+  std::vector<SurfacePoint> points(4000);
+  for (SurfacePoint& point : points) point = {a + any(random) * across + any(random) * down, normal};
+  const double texel = std::sqrt(shadow.light().texel_size.x * shadow.light().texel_size.y);
+  for (const Distant how : {Distant::voaa, Distant::mraa})
+    for (const double texels : {10.0, 17.0, 33.0, 50.0, 100.0}) {
+      const std::vector<float> footprints(points.size(), static_cast<float>(texels * texel));
+      std::vector<float> result(points.size());
+      shadow.distant_visibility(points, footprints, 9, how, result);
+      EXPECT_EQ(std::ranges::count(result, 1.0f), static_cast<std::ptrdiff_t>(points.size())) << texels;
+    }
 }
 
 TEST_F(DistantLookup, RefusesWhatWasNotBaked) {

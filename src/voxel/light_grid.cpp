@@ -8,6 +8,7 @@ namespace shadewright::voxel {
 namespace {
 /// Snapping moves a vertex by up to 1/512 texel, and a plane by as much; float positions of far points take the rest.
 constexpr double kSlack = 1.0 / 32;
+constexpr double kGrazing = 0.1;  ///< the cosine below which a distant receiver moves no farther
 }  // namespace
 
 glm::dvec3 LightGrid::position() const {
@@ -51,11 +52,24 @@ glm::dvec3 LightGrid::towards_light(const glm::dvec3& world) const {
   return kind == LightKind::spot ? glm::normalize(position() - world) : -direction();
 }
 
+glm::dvec2 LightGrid::plane_slope(const glm::dvec3& world, const glm::dvec3& normal) const {
+  const glm::dvec3 extent = voxel_extent(world), n = light_from_world * normal;
+  const double facing = std::max(std::abs(glm::dot(normal, towards_light(world))), kGrazing);
+  return glm::dvec2(n) * glm::dvec2(extent) / (facing * extent.z);
+}
+
+glm::ivec3 LightGrid::clear_node(const glm::dvec3& at, const glm::dvec2& slope, uint32_t height) {
+  const glm::ivec3 node = glm::ivec3(glm::floor(at)) >> static_cast<int>(height);
+  const glm::dvec2 low = glm::dvec2(node << static_cast<int>(height)) - glm::dvec2(at);
+  const glm::dvec2 rise = glm::min(slope * low, slope * (low + std::exp2(height)));
+  const int nearest = static_cast<int>(std::floor(at.z + rise.x + rise.y - (0.5 + kSlack)));
+  return {node.x, node.y, (nearest >> height) - 1};
+}
+
 glm::dvec3 LightGrid::distant_receiver(const glm::dvec3& world, const glm::dvec3& normal, double half_width) const {
-  constexpr double grazing = 0.1;
   const glm::dvec3 extent = voxel_extent(world), n = glm::abs(light_from_world * normal), light = towards_light(world);
   const double across = (half_width + kSlack) * (extent.x * n.x + extent.y * n.y);
-  return world + light * (across / std::max(std::abs(glm::dot(normal, light)), grazing));
+  return world + light * (across / std::max(std::abs(glm::dot(normal, light)), kGrazing));
 }
 
 LightGrid LightGrid::moved(const glm::dvec3& by) const {

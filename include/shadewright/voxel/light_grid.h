@@ -49,6 +49,12 @@ struct LightGrid {
   /// `half_width` voxels along x and y lies below its own plane (at grazing light, a cosine below 0.1, no farther). So
   /// wide an offset along the normal would move the shadow's edge. A zero normal: stays. World space.
   glm::dvec3 distant_receiver(const glm::dvec3& world, const glm::dvec3& normal, double half_width) const;
+  /// How deep a surface through a world point falls from column to column: voxels of depth a voxel along x and y (at
+  /// grazing light, a cosine below 0.1, no more than there).
+  glm::dvec2 plane_slope(const glm::dvec3& world, const glm::dvec3& normal) const;
+  /// The last node of side 2^height in the column of `at` (voxel coordinates) that ends before a plane through `at`
+  /// comes nearest in that column: what a receiver looks up that is not to shade itself. z may be negative: before all.
+  static glm::ivec3 clear_node(const glm::dvec3& at, const glm::dvec2& slope, uint32_t height);
   /// The same in a world that was moved by `by`.
   LightGrid moved(const glm::dvec3& by) const;
   /// The same window with half as many voxels on every axis.

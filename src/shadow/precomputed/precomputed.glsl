@@ -199,9 +199,9 @@ const real receiver_slack = real(1.0) / real(32.0);
 // The cosine below which a distant receiver's offset towards the light grows no more.
 const float grazing = 0.1;
 
-// The voxel, in the finest DAG, of a point relative to `rows.origin`. False before the volume and far beside it, where all is
-// visible.
-bool voxel_at(real px, real py, real pz, out ivec3 voxel) {
+// The voxel, in the finest DAG, of a point relative to `rows.origin`, and the place in it. False before the volume and far beside it,
+// where all is visible.
+bool voxel_at(real px, real py, real pz, out ivec3 voxel, out vec3 within) {
   real4 vx = rows.voxel[0], vy = rows.voxel[1], vz = rows.voxel[2], vw = rows.voxel[3];
   precise real qx = (vx.x * px + vx.y * py) + (vx.z * pz + vx.w);
   precise real qy = (vy.x * px + vy.y * py) + (vy.z * pz + vy.w);
@@ -215,8 +215,15 @@ bool voxel_at(real px, real py, real pz, out ivec3 voxel) {
   }
   const real far_out = real(4e6);
   if (!(abs(qx) < far_out) || !(abs(qy) < far_out) || !(qz > -far_out)) return false;
-  voxel = rows.base + ivec3(int(floor(qx)), int(floor(qy)), int(floor(min(qz, real(3e6)))));
+  qz = min(qz, real(3e6));
+  voxel = rows.base + ivec3(int(floor(qx)), int(floor(qy)), int(floor(qz)));
+  within = vec3(float(qx - floor(qx)), float(qy - floor(qy)), float(qz - floor(qz)));
   return voxel.z >= 0;
+}
+
+bool voxel_at(real px, real py, real pz, out ivec3 voxel) {
+  vec3 within;
+  return voxel_at(px, py, pz, voxel, within);
 }
 
 // The distance along a spot's axis of a point relative to `rows.origin`; 1 for directional lights.
@@ -274,16 +281,37 @@ float receiver_footprint(vec3 world, vec3 normal) {
   return sqrt(patch_area * abs(dot(light, normal)) / (texel.x * texel.y));
 }
 
+// How deep the receiver's plane falls from column to column: voxels of depth a voxel along x and y.
+vec2 plane_slope(vec3 world, vec3 normal) {
+  real px = world.x - rows.origin.x, py = world.y - rows.origin.y, pz = world.z - rows.origin.z;
+  vec3 to_light = lookup.light_kind == light_spot ? normalize(lookup.light_position - world) : -lookup.light_direction;
+  real4 lx = rows.light[0], ly = rows.light[1];
+  vec2 n = vec2(lx.x * normal.x + lx.y * normal.y + lx.z * normal.z, ly.x * normal.x + ly.y * normal.y + ly.z * normal.z);
+  float facing = max(abs(dot(normal, to_light)), grazing);
+  return n * vec2(rows.reach_x, rows.reach_y) / (facing * float(rows.reach_z * spot_distance(px, py, pz)));
+}
+
+// The occupancy of the last node of side 2^height in the receiver's column that ends before the receiver's plane: LightGrid::clear_node.
+float clear_node_visibility(DagPlace dag, ivec3 voxel, vec3 within, vec2 slope, uint height) {
+  float side = exp2(float(height));
+  vec2 low = -(vec2(voxel.xy & ((1 << height) - 1)) + within.xy);
+  vec2 rise = min(slope * low, slope * (low + side));
+  int nearest = voxel.z + int(floor(within.z + rise.x + rise.y - (0.5 + float(receiver_slack)))), node = (nearest >> height) - 1;
+  if (node < 0) return 1.0;
+  return dag_node_visibility(dag, uvec3(voxel.xy, min(uint(node) << height, precomputed.depth - 1u)), height);
+}
+
 float occupancy_visible(vec3 world, vec3 normal, float side) {
   DagPlace dag = precomputed.dags[0];
   float height = clamp(log2(side), float(dag_slab_height), float(dag.log2_size - dag.log2_grid));
-  real half_node = real(0.5) * real(exp2(height));
+  precise real px = world.x - rows.origin.x, py = world.y - rows.origin.y, pz = world.z - rows.origin.z;
   ivec3 voxel;
-  if (!distant_voxel(world, normal, half_node + receiver_slack, half_node, voxel)) return 1.0;
+  vec3 within;
+  if (!voxel_at(px, py, pz, voxel, within)) return 1.0;
   if (any(lessThan(voxel.xy, ivec2(0))) || any(greaterThanEqual(voxel.xy, ivec2(1 << dag.log2_size)))) return 1.0;
-  uvec3 inside = uvec3(voxel.xy, min(uint(voxel.z), precomputed.depth - 1u));
-  float fine = dag_node_visibility(dag, inside, uint(height)), between = fract(height);
-  return between == 0.0 ? fine : mix(fine, dag_node_visibility(dag, inside, uint(height) + 1u), between);
+  vec2 slope = plane_slope(world, normal);
+  float fine = clear_node_visibility(dag, voxel, within, slope, uint(height)), between = fract(height);
+  return between == 0.0 ? fine : mix(fine, clear_node_visibility(dag, voxel, within, slope, uint(height) + 1u), between);
 }
 
 float filter_visible(vec3 world, vec4 plane) {
