@@ -4,7 +4,8 @@
 #include <cstring>
 #include <limits>
 
-#include "shaders/blur_moments_comp.h"
+#include "shaders/blur_moments_frag.h"
+#include "shaders/blur_moments_vert.h"
 
 namespace shadewright::shadow {
 
@@ -12,8 +13,10 @@ namespace {
 
 struct BlurPush {
   glm::ivec2 step;
-  int32_t radius, source_layer, target_layer;
+  int32_t radius, layer;  ///< of the source
 };
+
+constexpr auto moments_format = vk::Format::eR32G32Sfloat;
 
 /// A distance no caster or receiver exceeds, as light_distance.glsl measures it: what a texel without caster keeps.
 float farthest(const Frame& frame) {
@@ -36,18 +39,23 @@ MomentsStorage::MomentsStorage(const gpu::Device& device, const StorageDesc& des
       draws_(desc.draws) {
   using Usage = vk::ImageUsageFlagBits;
   const MapExtent& extent = desc.extent;
-  constexpr auto format = vk::Format::eR32G32Sfloat;
-  const auto usage = Usage::eColorAttachment | Usage::eSampled | Usage::eStorage | Usage::eTransferSrc;
-  map_ = gpu::Image(device, {"shadow map", format, extent.width, extent.height, extent.layers, usage, true});
+  map_ = gpu::Image(device, {"shadow map", moments_format, extent.width, extent.height, extent.layers,
+                             Usage::eColorAttachment | Usage::eSampled | Usage::eTransferSrc, true});
   depth_ = gpu::Image(
       device, {"shadow depth", vk::Format::eD32Sfloat, extent.width, extent.height, 1, Usage::eDepthStencilAttachment});
   if (radius_ > 0) {
-    row_ = gpu::Image(device,
-                      {"shadow blur", format, extent.width, extent.height, 1, Usage::eSampled | Usage::eStorage, true});
-    using enum gpu::BindingKind;
-    blur_ = gpu::ComputePass(device, shaders::blur_moments_comp, {sampled_image, storage_image}, sizeof(BlurPush));
+    row_ = gpu::Image(device, {"shadow blur", moments_format, extent.width, extent.height, 1,
+                               Usage::eColorAttachment | Usage::eSampled, true});
+    gpu::GraphicsDesc pass;
+    pass.vertex = shaders::blur_moments_vert;
+    pass.fragment = shaders::blur_moments_frag;
+    pass.kinds = {gpu::BindingKind::sampled_image};
+    pass.push_bytes = sizeof(BlurPush);
+    pass.colors = {moments_format};
+    pass.depth = vk::Format::eUndefined;
+    blur_ = gpu::GraphicsPass(device, pass);
   }
-  draws_.make_pipelines(device, {desc.spec, desc.lookup_layout, {format}});
+  draws_.make_pipelines(device, {desc.spec, desc.lookup_layout, {moments_format}});
 }
 
 void MomentsStorage::record(const Frame& frame, vk::DescriptorSet lookup_set, gpu::Recorder& recorder) {
@@ -82,20 +90,26 @@ void MomentsStorage::draw(const vk::raii::CommandBuffer& commands, const Frame& 
 }
 
 void MomentsStorage::blur(const vk::raii::CommandBuffer& commands) {
-  using gpu::Binding;
   using Layout = vk::ImageLayout;
-  const vk::Extent3D groups{gpu::groups(map_.desc().width, 64), map_.desc().height, 1};
-  const auto pass = [&](gpu::Image& source, gpu::Image& target, const BlurPush& push) {
+  const vk::Rect2D area{{0, 0}, map_.extent()};
+  commands.setViewport(
+      0, vk::Viewport(0, 0, static_cast<float>(area.extent.width), static_cast<float>(area.extent.height), 0, 1));
+  commands.setScissor(0, area);
+  const auto pass = [&](gpu::Image& source, gpu::Image& target, uint32_t layer, const BlurPush& push) {
     source.transition(commands, Layout::eShaderReadOnlyOptimal);
-    target.transition(commands, Layout::eGeneral);
-    const Binding bindings[] = {Binding::sampled(source.view(), *sampler_), Binding::storage(target.view())};
-    blur_.dispatch(commands, bindings, gpu::bytes_of(push), groups);
+    target.transition(commands, Layout::eColorAttachmentOptimal);
+    const vk::RenderingAttachmentInfo color(target.layer_view(layer), Layout::eColorAttachmentOptimal, {}, {}, {},
+                                            vk::AttachmentLoadOp::eDontCare, vk::AttachmentStoreOp::eStore);
+    commands.beginRendering({{}, area, 1, 0, color});
+    const gpu::Binding bindings[] = {gpu::Binding::sampled(source.view(), *sampler_)};
+    blur_.bind(commands, bindings, gpu::bytes_of(push));
+    commands.draw(3, 1, 0, 0);
+    commands.endRendering();
   };
   for (const MapView& target : draws_.targets()) {
     if (!target.drawn) continue;
-    const auto layer = static_cast<int32_t>(target.layer);
-    pass(map_, row_, {{1, 0}, radius_, layer, 0});
-    pass(row_, map_, {{0, 1}, radius_, 0, layer});
+    pass(map_, row_, 0, {{1, 0}, radius_, static_cast<int32_t>(target.layer)});
+    pass(row_, map_, target.layer, {{0, 1}, radius_, 0});
   }
 }
 

@@ -31,7 +31,7 @@ class MomentsStorage final : public Storage {
   int32_t radius_;                ///< of the blur, texels
   gpu::Image map_, depth_, row_;  ///< depth and the half-blurred map serve one layer after the other
   vk::raii::Sampler sampler_;
-  gpu::ComputePass blur_;
+  gpu::GraphicsPass blur_;
   CasterDraws& draws_;
 };
 
