@@ -15,6 +15,9 @@ namespace {
 
 /// Receivers' bounds are exact up to float rounding of the map coordinates.
 constexpr double rounding_border_texels = 1;
+/// Steps of a stable window's size per doubling. With 8 there is less wrong (city, 256 texels: 1.24 % against 1.28) and
+/// more flicker (0.399 % against 0.386).
+constexpr double window_steps = 4;
 
 /// Axes whose z is the camera's view depth.
 LightFrame depth_axis(const render::CameraView& camera) {
@@ -112,10 +115,13 @@ Box Cascaded::constant_window(const Frame& frame, const LightFrame& light, const
   glm::dvec2 center(light.view_from_world * glm::dvec4(sphere.center, 1.0)), reach(sphere.radius);
   const Box scene = transform(light.view_from_world, world_bounds(frame));
   for (int axis = 0; axis < 2; ++axis) {
-    const double whole = round_up_to_grid(0.5 * scene.size()[axis]);
-    if (whole >= reach[axis]) continue;
-    reach[axis] = whole;
-    center[axis] = scene.center()[axis];
+    const auto take = [&](double half_size, double middle) {
+      if (half_size >= reach[axis]) return;
+      reach[axis] = half_size;
+      center[axis] = middle;
+    };
+    take(round_up_to_grid(0.5 * scene.size()[axis]), scene.center()[axis]);
+    take(round_up_to_grid(half[axis], window_steps), receivers.center()[axis]);
   }
   return window(center, reach);
 }

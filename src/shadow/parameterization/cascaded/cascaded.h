@@ -5,7 +5,9 @@
 //
 // splits=pssm  the range to split runs from the nearest to the farthest receiver, each slice is fitted as by uniform
 // splits=sdsm  range and slices are fitted to the visible surface points, reduced on the device and read back
-// stable=1     maps have a constant size and move by whole texels, so that a moving camera does not shimmer
+// stable=1     maps move by whole texels, so that a moving camera does not shimmer; their size is that of a sphere
+// around
+//              the slice, or of the receivers in it, in steps, where that is less
 // What differs from the papers: a receiver takes the first cascade that holds it, not that of its slice; all cascades
 // share one depth range, so that only its place across the light decides.
 #pragma once
@@ -41,7 +43,7 @@ class Cascaded final : public Parameterization {
   Picture debug_picture(std::string_view name, const ReceiverLookup& lookup) override;
 
  private:
-  /// The window of constant size that holds a slice's receivers (stable).
+  /// The window, of a size that seldom changes, that holds a slice's receivers (stable).
   Box constant_window(const Frame& frame, const LightFrame& light, const DepthRange& slice, const Box& receivers) const;
   /// The view that holds `receivers` and what filters read around them; `all` are the receivers of every slice.
   MapView make_view(const LightFrame& light, Box receivers, const Box& all, glm::vec2& border) const;

@@ -8,8 +8,8 @@ namespace shadewright::shadow {
 
 namespace {
 
-/// Steps of the grid per doubling. Finer steps waste less of a map and change more often.
-constexpr double steps_per_octave = 2;
+/// Steps of the range's grid per doubling. Finer steps waste less of a map and change more often.
+constexpr double range_steps = 2;
 
 }  // namespace
 
@@ -27,13 +27,13 @@ std::vector<DepthRange> split(const DepthRange& range, uint32_t count, double la
   return slices;
 }
 
-double round_up_to_grid(double size) {
+double round_up_to_grid(double size, double steps_per_octave) {
   return std::exp2(std::ceil(std::log2(size) * steps_per_octave) / steps_per_octave);
 }
 
 DepthRange widen_to_grid(const DepthRange& range) {
-  return {std::exp2(std::floor(std::log2(range.nearest) * steps_per_octave) / steps_per_octave),
-          round_up_to_grid(range.farthest)};
+  return {std::exp2(std::floor(std::log2(range.nearest) * range_steps) / range_steps),
+          round_up_to_grid(range.farthest, range_steps)};
 }
 
 double view_depth(const render::CameraView& camera, const glm::dvec3& world) {

@@ -14,8 +14,8 @@ std::vector<DepthRange> split(const DepthRange& range, uint32_t count, double la
 
 /// The range widened to a fixed grid of ratios, so that it stays the same while a camera moves a little.
 DepthRange widen_to_grid(const DepthRange& range);
-/// `size` rounded up to the same grid.
-double round_up_to_grid(double size);
+/// `size` rounded up to a grid of so many steps per doubling, by default the same.
+double round_up_to_grid(double size, double steps_per_octave = 2);
 
 /// The camera's depth at a point: its clip w, a distance along its axis.
 double view_depth(const render::CameraView& camera, const glm::dvec3& world);
