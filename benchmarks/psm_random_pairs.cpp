@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
   shadow::RandomPairs random(bounds(scene), seed);
   std::vector<double> ratios;
   double log_sum = 0, worst_oracle = 0;
-  uint64_t wrong_uniform = 0, wrong = 0, oracle_wrong = 0, compared_total = 0;
+  uint64_t wrong_uniform = 0, wrong = 0, oracle_wrong = 0, beyond_snapping = 0, compared_total = 0;
   int bad_oracles = 0, fallbacks = 0;
   fmt::print("seed {}\n", seed);
   const int own = static_cast<int>(scene.cameras.size());
@@ -49,6 +49,7 @@ int main(int argc, char** argv) {
     wrong += perspective.wrong;
     wrong_uniform += uniform.wrong;
     compared_total += perspective.compared;
+    beyond_snapping += results[1].beyond_snapping;
     oracle_wrong += static_cast<uint64_t>(std::lround(oracle * static_cast<double>(perspective.compared)));
     worst_oracle = std::max(worst_oracle, oracle);
     // Half a pixel's allowance: one pixel of a small image is more than 0.0005.
@@ -68,8 +69,8 @@ int main(int argc, char** argv) {
   if (count == 0) return 1;
   fmt::print(
       "{} pairs: wrong {} -> {}, ratio geometric mean {:.3f}, median {:.3f}, 95th percentile {:.3f}, worst {:.2f}; "
-      "oracle overall {:.6f}, worst {:.5f}, above bar {}; with fallback {}\n",
+      "oracle overall {:.6f}, worst {:.5f}, above bar {}, pixels beyond snapping {}; with fallback {}\n",
       count, wrong_uniform, wrong, std::exp(log_sum / static_cast<double>(count)), ratios[count / 2],
       ratios[count * 95 / 100], ratios.back(), static_cast<double>(oracle_wrong) / static_cast<double>(compared_total),
-      worst_oracle, bad_oracles, fallbacks);
+      worst_oracle, bad_oracles, beyond_snapping, fallbacks);
 }

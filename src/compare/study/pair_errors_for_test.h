@@ -1,9 +1,11 @@
 // The error of several techniques on many cameras and lights of one scene, whose device copy and tracer are kept.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -30,6 +32,9 @@ class PairErrors {
   struct Result {
     ErrorFigures error;
     shadow::Counters counters;
+    /// Of the pixels that differ from the oracle those that do so wherever within a step of the rasterizer's grid of
+    /// vertices, 1/256 texel, from the texel's centre the oracle looks.
+    uint64_t beyond_snapping = 0;
   };
   /// One result a technique.
   std::vector<Result> run(const Camera& camera, const Light& light) {
@@ -69,7 +74,8 @@ class PairErrors {
       input.oracle = oracle;
       input.texel_u = rays->texel_u;
       input.texel_v = rays->texel_v;
-      results.push_back({measure_error(input, tracer_, light), technique->counters()});
+      results.push_back(
+          {measure_error(input, tracer_, light), technique->counters(), beyond_snapping(*rays, input, light)});
     }
     return results;
   }
@@ -86,6 +92,22 @@ class PairErrors {
         segments[i] = {origins[i], 1.0f, glm::vec3(light.position) - origins[i], 1};
     }
     return tracer_.unoccluded(segments, width_);
+  }
+
+  uint64_t beyond_snapping(const shadow::OracleRays& rays, const MetricsInput& input, const Light& light) const {
+    std::vector<uint8_t> differs(input.oracle.size());
+    for (size_t i = 0; i < differs.size(); ++i)
+      differs[i] = input.facing[i] != 0 && lit(input.visibility[i]) != (input.oracle[i] != 0);
+    for (int direction = 0; direction < 8; ++direction) {
+      const double angle = 0.25 * std::numbers::pi * direction;
+      const auto u = static_cast<float>(2 * std::cos(angle) / 256), v = static_cast<float>(2 * std::sin(angle) / 256);
+      std::vector<glm::vec3> moved = rays.origins;
+      for (size_t i = 0; i < moved.size(); ++i) moved[i] += u * rays.texel_u[i] + v * rays.texel_v[i];  // half extents
+      const std::vector<uint8_t> answer = free_segments(moved, differs, light);
+      for (size_t i = 0; i < moved.size(); ++i)
+        differs[i] = differs[i] != 0 && (answer[i] != 0) == (input.oracle[i] != 0);
+    }
+    return static_cast<uint64_t>(std::count(differs.begin(), differs.end(), uint8_t{1}));
   }
 
   const gpu::Device& device_;
