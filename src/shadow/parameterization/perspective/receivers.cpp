@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <glm/gtc/matrix_access.hpp>
+#include <limits>
 
 #include "shadow/parameterization/uniform/fit.h"
 
@@ -30,18 +31,30 @@ Polytope bounding_polytope(std::span<const ReceiverBox> boxes) {
   // A polytope needs a volume.
   const glm::dvec3 half = glm::max(0.5 * bounds.size(), glm::dvec3(image_slack));
   Polytope polytope = Polytope::from_box({bounds.center() - half, bounds.center() + half});
-  for (size_t i = 3; i < hull_normals.size(); ++i) {
-    const glm::dvec3 direction(hull_normals[i][0], hull_normals[i][1], hull_normals[i][2]);
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const auto& [box, world] : boxes) {
-      const double middle = glm::dot(direction, box.center());
-      const double reach = 0.5 * glm::dot(glm::abs(direction), box.size());
-      low = std::min(low, middle - reach);
-      high = std::max(high, middle + reach);
+  constexpr size_t slanted = hull_normals.size() - 3;
+  using PerNormal = std::array<double, slanted>;
+  PerNormal nx, ny, nz, low, high;
+  for (size_t i = 0; i < slanted; ++i) {
+    nx[i] = hull_normals[i + 3][0];
+    ny[i] = hull_normals[i + 3][1];
+    nz[i] = hull_normals[i + 3][2];
+  }
+  low.fill(std::numeric_limits<double>::infinity());
+  high.fill(-std::numeric_limits<double>::infinity());
+  for (const auto& [box, world] : boxes) {
+    const glm::dvec3 center = box.center(), reach = 0.5 * box.size();
+    for (size_t i = 0; i < slanted; ++i) {  // flat arrays, so that it vectorizes
+      const double middle = nx[i] * center.x + ny[i] * center.y + nz[i] * center.z;
+      const double around = std::abs(nx[i]) * reach.x + std::abs(ny[i]) * reach.y + std::abs(nz[i]) * reach.z;
+      low[i] = middle - around < low[i] ? middle - around : low[i];
+      high[i] = middle + around > high[i] ? middle + around : high[i];
     }
+  }
+  for (size_t i = 0; i < slanted; ++i) {
+    const glm::dvec3 direction(nx[i], ny[i], nz[i]);
     const double length = glm::length(direction);
-    polytope = clip(polytope, {direction / length, image_slack - low / length});
-    polytope = clip(polytope, {-direction / length, image_slack + high / length});
+    polytope = clip(polytope, {direction / length, image_slack - low[i] / length});
+    polytope = clip(polytope, {-direction / length, image_slack + high[i] / length});
   }
   return polytope;
 }

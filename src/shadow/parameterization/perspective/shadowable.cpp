@@ -75,6 +75,7 @@ bool keep_shadowable(Receivers& receivers, const Light& light, const LightFrame&
   Box all;
   Rectangle window;
   std::vector<Rectangle> images;
+  images.reserve(receivers.boxes.size());
   for (const ReceiverBox& box : receivers.boxes) {
     all.extend(box.world);
     images.push_back(seen(frame, box.world));
@@ -84,47 +85,55 @@ bool keep_shadowable(Receivers& receivers, const Light& light, const LightFrame&
   const glm::dvec3 farthest = glm::max(glm::abs(all.min), glm::abs(all.max));
   const double slack = position_slack * (farthest.x + farthest.y + farthest.z + receivers.farthest);
   const glm::dvec2 extent = window.high - window.low;
-  const auto cell = [&](double at, int axis) {
-    const double share = extent[axis] > 0 ? (at - window.low[axis]) / extent[axis] : 0.0;
-    return static_cast<int>(std::clamp(cells * share, 0.0, cells - 1.0));
+  const auto per_unit = [](double size) { return size > 0 && cells / size < infinity ? cells / size : 0.0; };
+  const glm::dvec2 scale(per_unit(extent.x), per_unit(extent.y));
+  struct CellRange {
+    glm::ivec2 first, last;
+  };
+  const auto cells_of = [&](const Rectangle& image) {
+    const glm::dvec2 end(cells - 1);
+    return CellRange{glm::ivec2(glm::clamp(scale * (image.low - window.low), glm::dvec2(0), end)),
+                     glm::ivec2(glm::clamp(scale * (image.high - window.low), glm::dvec2(0), end))};
   };
   struct Cell {
     Box receivers;
     bool covered = false;
   };
   std::array<Cell, cells * cells> grid;
-  /// True if `use` says so for one of the cells that `image` touches; it is asked no more then.
-  const auto any_cell = [&](const Rectangle& image, const auto& use) {
-    for (int y = cell(image.low.y, 1); y <= cell(image.high.y, 1); ++y)
-      for (int x = cell(image.low.x, 0); x <= cell(image.high.x, 0); ++x)
+  /// True if `use` says so for one of the cells; it is asked no more then.
+  const auto any_cell = [&](const CellRange& range, const auto& use) {
+    for (int y = range.first.y; y <= range.last.y; ++y)
+      for (int x = range.first.x; x <= range.last.x; ++x)
         if (use(grid[static_cast<size_t>(y * cells + x)])) return true;
     return false;
   };
-  for (size_t i = 0; i < images.size(); ++i)
-    any_cell(images[i], [&](Cell& at) {
+  std::vector<CellRange> ranges;
+  ranges.reserve(images.size());
+  for (size_t i = 0; i < images.size(); ++i) {
+    ranges.push_back(cells_of(images[i]));
+    any_cell(ranges.back(), [&](Cell& at) {
       at.receivers.extend(receivers.boxes[i].world);
       return false;
     });
+  }
   for (const Box& caster : casters) {
     if (!may_shadow(caster, all, light, slack)) continue;
     const Rectangle image = seen(frame, caster);
     if (glm::any(glm::greaterThan(image.low, window.high)) || glm::any(glm::lessThan(image.high, window.low))) continue;
-    any_cell(image, [&](Cell& at) {
+    any_cell(cells_of(image), [&](Cell& at) {
       at.covered = at.covered || (!at.receivers.empty() && may_shadow(caster, at.receivers, light, slack));
       return false;
     });
   }
-  const auto shadowable = [&](const Rectangle& image) {
-    return any_cell(image, [](const Cell& at) { return at.covered; });
-  };
+  const auto covered = [](const Cell& at) { return at.covered; };
   size_t kept = 0;
-  for (size_t i = 0; i < images.size(); ++i)
-    if (shadowable(images[i])) receivers.boxes[kept++] = receivers.boxes[i];
+  for (size_t i = 0; i < ranges.size(); ++i)
+    if (any_cell(ranges[i], covered)) receivers.boxes[kept++] = receivers.boxes[i];
   const bool left_out = kept < images.size();
   receivers.boxes.resize(kept);
   if (left_out)
     std::erase_if(receivers.samples, [&](const ReceiverSample& sample) {
-      return !shadowable(seen(frame, {sample.world, sample.world}));
+      return !any_cell(cells_of(seen(frame, {sample.world, sample.world})), covered);
     });
   return left_out;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "shadewright/geometry/projection.h"
@@ -93,26 +94,36 @@ Box receiver_bounds(const LightFrame& light, std::span<const glm::dvec3> points)
 }
 
 LightFrame turn_to_fit(const LightFrame& light, std::span<const glm::dvec3> points) {
-  if (light.perspective) return light;
-  constexpr int angles = 32;
-  std::array<Box, angles> bounds;
-  std::array<glm::dvec2, angles> axes;
-  for (int a = 0; a < angles; ++a) {
-    const double angle = 0.5 * std::numbers::pi * a / angles;
-    axes[static_cast<size_t>(a)] = {std::cos(angle), std::sin(angle)};
+  if (light.perspective || points.empty()) return light;
+  constexpr size_t angles = 32;
+  using PerAngle = std::array<double, angles>;
+  PerAngle cosine, sine, low_x, high_x, low_y, high_y;
+  for (size_t a = 0; a < angles; ++a) {
+    const double angle = 0.5 * std::numbers::pi * static_cast<double>(a) / angles;
+    cosine[a] = std::cos(angle);
+    sine[a] = std::sin(angle);
   }
+  low_x.fill(std::numeric_limits<double>::infinity());
+  low_y = low_x;
+  high_x.fill(-std::numeric_limits<double>::infinity());
+  high_y = high_x;
   for (const glm::dvec3& point : points) {
     const glm::dvec3 p = view_coordinates(light, point);
-    for (size_t a = 0; a < angles; ++a)
-      bounds[a].extend({p.x * axes[a].x + p.y * axes[a].y, p.y * axes[a].x - p.x * axes[a].y, 0});
+    for (size_t a = 0; a < angles; ++a) {  // flat arrays, so that it vectorizes
+      const double x = p.x * cosine[a] + p.y * sine[a], y = p.y * cosine[a] - p.x * sine[a];
+      low_x[a] = x < low_x[a] ? x : low_x[a];
+      high_x[a] = x > high_x[a] ? x : high_x[a];
+      low_y[a] = y < low_y[a] ? y : low_y[a];
+      high_y[a] = y > high_y[a] ? y : high_y[a];
+    }
   }
-  const auto area = [](const Box& box) { return box.empty() ? 0.0 : box.size().x * box.size().y; };
-  const auto best = static_cast<size_t>(
-      std::min_element(bounds.begin(), bounds.end(), [&](const Box& a, const Box& b) { return area(a) < area(b); }) -
-      bounds.begin());
+  size_t best = 0;
+  const auto area = [&](size_t a) { return (high_x[a] - low_x[a]) * (high_y[a] - low_y[a]); };
+  for (size_t a = 1; a < angles; ++a)
+    if (area(a) < area(best)) best = a;
   glm::dmat4 turn(1.0);
-  turn[0] = {axes[best].x, -axes[best].y, 0, 0};
-  turn[1] = {axes[best].y, axes[best].x, 0, 0};
+  turn[0] = {cosine[best], -sine[best], 0, 0};
+  turn[1] = {sine[best], cosine[best], 0, 0};
   LightFrame turned = light;
   turned.view_from_world = turn * light.view_from_world;
   return turned;
