@@ -1,5 +1,5 @@
 // Corners of (triangle, unit) pairs, in the unit's place in the pool: PAIR_CLIPPED at its borders, or PAIR_SMALL for
-// casters.frag, which throws away what lies outside.
+// page_small.frag, which throws away what lies outside, or PAIR_WHOLE for a geometry stage that does either.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
@@ -17,22 +17,27 @@ out gl_PerVertex {
 #ifdef PAIR_SMALL
 layout(location = 0) flat out vec4 unit_texels;  // of the pool: low, high
 #endif
+#ifdef PAIR_WHOLE
+layout(location = 0) flat out uvec3 pair_drawn;
+#endif
 
 void main() {
   uvec3 pair = pairs[gl_VertexIndex / 3];
-  vec4 q = corners[3 * pair_triangle(pair) + gl_VertexIndex % 3];
-  vec2 place = vec2(slot_place(pair_slot(pair)) * page_texels), first = vec2(pair_page(pair) * page_texels);
-  vec2 end = place + (pair_is_block(pair) ? vec2(256.0, 128.0) : vec2(page_texels));
+  vec4 q = corners[3 * pair_triangle(pair) + gl_VertexIndex % 3], texels = pair_texels(pair);
+  vec2 first = vec2(pair_page(pair) * page_texels);
   float pool = 2.0 / float(paged.pool_width * page_texels);
-  gl_Position = vec4((q.xy * level_size(pair_level(pair)) + (place - first) * q.w) * pool - q.w, q.zw);
+  gl_Position = vec4((q.xy * level_size(pair_level(pair)) + (texels.xy - first) * q.w) * pool - q.w, q.zw);
 #ifdef PAIR_CLIPPED
-  vec2 low = place * pool - 1.0, high = end * pool - 1.0;
-  gl_ClipDistance[0] = gl_Position.x - low.x * q.w;
-  gl_ClipDistance[1] = high.x * q.w - gl_Position.x;
-  gl_ClipDistance[2] = gl_Position.y - low.y * q.w;
-  gl_ClipDistance[3] = high.y * q.w - gl_Position.y;
+  vec4 borders = texels * pool - 1.0;
+  gl_ClipDistance[0] = gl_Position.x - borders.x * q.w;
+  gl_ClipDistance[1] = borders.z * q.w - gl_Position.x;
+  gl_ClipDistance[2] = gl_Position.y - borders.y * q.w;
+  gl_ClipDistance[3] = borders.w * q.w - gl_Position.y;
 #endif
 #ifdef PAIR_SMALL
-  unit_texels = vec4(place, end);
+  unit_texels = texels;
+#endif
+#ifdef PAIR_WHOLE
+  pair_drawn = pair;
 #endif
 }

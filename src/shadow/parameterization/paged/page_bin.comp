@@ -1,10 +1,14 @@
 // Cuts the scene into (triangle, unit) pairs: for each triangle of a touched cluster, every page to draw, or whole block of them,
-// in which it may cover a texel's centre. A cluster whose pairs do not fit waits for the next round; what it has drawn already is
-// then drawn twice, which changes nothing.
+// in which it may cover a texel's centre, or come as near to one as constants.reach. A cluster whose pairs do not fit waits for the
+// next round; what it has drawn already is then drawn twice, which changes nothing. PAIR_SIDES: pairs tell the triangle's side and its
+// silhouettes, as sub-pixel maps need them.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 #include "shadow/parameterization/paged/paged.glsl"
+#ifdef PAIR_SIDES
+#include "shadow/storage/subpixel/side.glsl"
+#endif
 
 layout(local_size_x = 64) in;
 layout(set = 0, binding = 0, scalar) readonly buffer Clusters { ClusterData clusters[]; };
@@ -17,6 +21,9 @@ layout(set = 0, binding = 6, scalar) writeonly buffer Late { PageCluster late[];
 layout(set = 0, binding = 7, scalar) buffer StateOut { PageState state; };
 layout(set = 0, binding = 8, scalar) writeonly buffer Pairs { uvec3 pairs[]; };
 layout(set = 0, binding = 9, scalar) writeonly buffer Corners { vec4 corners[]; };  // in the map, homogeneous
+#ifdef PAIR_SIDES
+layout(set = 0, binding = 10, scalar) readonly buffer Neighbours { uvec3 neighbours[]; };
+#endif
 layout(push_constant, scalar) uniform Push { BinConstants constants; };
 
 shared uint overflow;
@@ -64,7 +71,7 @@ bool covers(MapTriangle t, vec2 middle, vec2 reach, float slack) {
 }
 
 // Walks levels, blocks and units in one loop: nested ones would let a device's lanes wait for each other at each end.
-void bin(MapTriangle t, uint triangle, PageCluster part) {
+void bin(MapTriangle t, uint triangle, uint side, PageCluster part) {
   uint levels = part.levels, level = 0, word = 0, bits = 0;
   float size = 1.0, slack = 0.0;
   vec2 first, last;                                   // the texels whose centres the bounds hold
@@ -78,7 +85,7 @@ void bin(MapTriangle t, uint triangle, PageCluster part) {
         level = uint(findLSB(levels));
         levels &= levels - 1;
         size = level_size(level);
-        slack = 1.0 / 64.0 + size * 3e-7;  // the rasterizer snaps to 1/256, and float has its error
+        slack = constants.reach + 1.0 / 64.0 + size * 3e-7;  // the rasterizer snaps to 1/256, and float has its error
         first = clamp(ceil(t.low * size - 0.5 - slack), vec2(0.0), vec2(size));
         last = clamp(floor(t.high * size - 0.5 + slack), vec2(-1.0), vec2(size - 1.0));
         bool empty = any(greaterThan(first, last));
@@ -104,19 +111,34 @@ void bin(MapTriangle t, uint triangle, PageCluster part) {
     vec2 a = max(first, from), b = min(last, to);
     if (!covers(t, (0.5 * (a + b) + 0.5) / size, 0.5 * (b - a) / size, slack / size)) continue;
     // What covers no texel's centre outside need not be cut.
-    bool inner = t.in_front && all(greaterThan(t.low * size, from - 0.49)) && all(lessThan(t.high * size, to + 1.49));
+    float room = 0.49 - constants.reach;
+    bool inner = t.in_front && all(greaterThan(t.low * size, from - room)) && all(lessThan(t.high * size, to + 1.0 + room));
     uint kind = inner ? pair_inner : t.in_front && t.area * size * size < few_texels ? pair_small : pair_clipped;
     uint pair = constants.first_pair[kind] + atomicAdd(state.draws[kind].vertex_count, 3) / 3;
     if (pair >= constants.first_pair[kind + 1]) {
       overflow = 1;
       continue;
     }
-    pairs[pair] = pack_pair(triangle, level, page, entry_slot(page_table[word * 32u + bit]), whole);
+    pairs[pair] = pack_pair(triangle, side, part.face, level, page, entry_slot(page_table[word * 32u + bit]), whole);
   }
 }
 
+#ifdef PAIR_SIDES
+const uint no_vertex = 0xffffffffu;
+
+uint triangle_side(vec3 world[3], uvec3 across, bool closed, bool facing, mat4x3 world_from_mesh) {
+  uint side = closed ? triangle_averted : 0;
+  for (int e = 0; e < 3; ++e) {
+    bool open = across[e] == no_vertex;
+    vec3 beyond = world_from_mesh * vec4(positions[open ? 0 : across[e]], 1.0);
+    side |= silhouette_bit(e, world, open, beyond, facing);
+  }
+  return side;
+}
+#else
 // Closed bodies show a sun only their facing sides: the others lie behind them on every ray.
 bool averted(vec3 a, vec3 b, vec3 c, float turn) { return turn * dot(cross(b - a, c - a), lookup.light_direction) > 0.0; }
+#endif
 
 void main() {
   if (gl_LocalInvocationIndex == 0) overflow = 0;
@@ -135,8 +157,7 @@ void main() {
     mat4 map_from_world = map_views[part.face].map_from_world;
     mat4x3 world_from_mesh = instances[part.instance].world_from_mesh;
     float near = paged.near[part.face];
-    bool closed = lookup.light_kind == light_directional && (cluster.body & body_closed) != 0;
-    float turn = determinant(mat3(world_from_mesh)) < 0.0 ? -1.0 : 1.0;
+    bool mirrored = determinant(mat3(world_from_mesh)) < 0.0, closed = (cluster.body & body_closed) != 0;
     for (uint t = gl_LocalInvocationIndex; t < cluster.index_count / 3; t += 64) {
       uint first_index = cluster.first_index + 3 * t;
       vec3 world[3];
@@ -146,10 +167,17 @@ void main() {
         q[k] = map_from_world * vec4(world[k], 1.0);
       }
       MapTriangle triangle;
-      if (closed && averted(world[0], world[1], world[2], turn)) continue;
+#ifdef PAIR_SIDES
+      bool facing = faces_light(world[0], world[1], world[2]);
+      if (is_left_out(facing, cluster.body | (mirrored ? body_mirrored : 0))) continue;
+      uint side = triangle_side(world, neighbours[first_index / 3], closed, facing, world_from_mesh);
+#else
+      const uint side = 0;
+      if (closed && lookup.light_kind == light_directional && averted(world[0], world[1], world[2], mirrored ? -1.0 : 1.0)) continue;
+#endif
       if (!map_triangle(q, near, triangle)) continue;
       for (int k = 0; k < 3; ++k) corners[3 * (part.first_triangle + t) + k] = q[k];
-      bin(triangle, part.first_triangle + t, part);
+      bin(triangle, part.first_triangle + t, side, part);
     }
   }
   barrier();

@@ -20,9 +20,10 @@ uint touched_levels(uint face, vec2 low, vec2 high) {
   uint levels = 0;
   for (int level = int(paged.top); level >= int(page_state.finest); --level) {
     float size = level_size(level);
-    // A triangle that has no texel's centre leaves no trace.
-    vec2 first = clamp(ceil(low * size - 0.5 - 1.0 / 64.0), vec2(0.0), vec2(size)),
-         last = clamp(floor(high * size - 0.5 + 1.0 / 64.0), vec2(-1.0), vec2(size - 1.0));
+    // A triangle that has no texel's centre in reach leaves no trace.
+    float slack = constants.reach + 1.0 / 64.0;
+    vec2 first = clamp(ceil(low * size - 0.5 - slack), vec2(0.0), vec2(size)),
+         last = clamp(floor(high * size - 0.5 + slack), vec2(-1.0), vec2(size - 1.0));
     if (any(greaterThan(first, last))) continue;
     ivec2 a = ivec2(first) / int(page_texels), b = ivec2(last) / int(page_texels);
     if (any(greaterThanEqual(b - a, ivec2(worth)))) return levels | ((2u << level) - 1u);

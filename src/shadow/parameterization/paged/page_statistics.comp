@@ -26,12 +26,13 @@ void count_tap(MapPoint p, uint level) {
 
 void count_level(vec3 world, vec4 plane, uint level) {
   MapPoint p = map_point_at(world, plane, level);
-  if (paged.footprint == 0.0 || !p.valid) {
+  if (!p.valid) {
     count_tap(p, level);
     return;
   }
   vec2 first = floor(p.uv / p.texel - paged.footprint);
-  for (int k = 0; k < 4; ++k) count_tap(map_tap(p, (first + vec2(k & 1, k >> 1) + 0.5) * p.texel), level);
+  int width = int(2.0 * paged.footprint) + 1;
+  for (int k = 0; k < width * width; ++k) count_tap(map_tap(p, (first + vec2(k % width, k / width) + 0.5) * p.texel), level);
 }
 
 void main() {

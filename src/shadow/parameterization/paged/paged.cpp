@@ -45,10 +45,16 @@ Box squared(Box box) {
   return box;
 }
 
+/// Half the width of what is read around a receiver, texels.
+float footprint(const Spec& spec) {
+  if (spec.storage == "subpixel") return 1.0f;
+  return spec.filter == "trilinear" ? 0.5f : 0.0f;
+}
+
 /// A filter's taps lie up to a texel from what they ask for: a border of a texel of the coarsest level, a page, keeps
 /// them all inside of the window of their view (or face: no tap needs another one), and so on pages that exist.
 double border_texels(const Spec& spec) {
-  return spec.filter == "trilinear" ? 1 + spec.resolution / (shared::page_texels - 2.0) : 1;
+  return footprint(spec) > 0 ? 1 + spec.resolution / (shared::page_texels - 2.0) : 1;
 }
 
 uint32_t lod(const std::string& name) {
@@ -98,6 +104,9 @@ Paged::Paged(const gpu::Device& device, const Spec& spec, const TechniqueOptions
   if (analysis_scale_ > 1 && (edges_ || listed_))
     throw InputError(spec.text, "only pixels that mark bits, without refinement, may be left out",
                      "give analysis_scale=1, or leave refine, requests, uniquify and analysis out");
+  if (analysis_scale_ > 1 && spec.storage != "depth")
+    throw InputError(spec.text, "a page that was left out would leave a hole in its neighbours' shadows",
+                     "give analysis_scale=1");
   const auto finest = static_cast<uint32_t>(spec.number("finest"));
   if (!std::has_single_bit(finest))
     throw InputError(spec.text, "the finest level's resolution is a power of two",
@@ -229,9 +238,8 @@ void Paged::write_constants(const Frame& frame) {
   new_fit_ = false;
   constants.analysis_scale = analysis_scale_;
   constants.lod = lod(spec_.choice("lod"));
-  const bool trilinear = spec_.filter == "trilinear";
-  constants.footprint = trilinear ? 0.5f : 0.0f;
-  constants.footprint_levels = trilinear ? 2 : 1;
+  constants.footprint = footprint(spec_);
+  constants.footprint_levels = spec_.filter == "trilinear" ? 2 : 1;
   for (size_t face = 0; face < views_.size(); ++face) {
     // Casters count from a hundredth of the nearest receiver's distance on: depth is 0 there or clamped to it.
     const glm::dmat4& m = views_[face].light_from_world;

@@ -6,6 +6,7 @@
 #include "shadow/parameterization/paged/shared.h"
 
 #define MAP_LEVELS 1  // map_level and map_point_at exist
+#define MAP_PAIRS 1   // casters are drawn as (triangle, unit) pairs
 
 layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 8, scalar) uniform Paged { PagedConstants paged; };
 layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 9, scalar) readonly buffer State { PageState page_state; };
@@ -108,11 +109,18 @@ MapPoint map_tap(MapPoint p, vec2 uv) {
   return p;
 }
 
+// The texel of its level that p lies in.
+ivec2 map_texel(MapPoint p) { return ivec2(floor(p.uv * level_size(point_level(p)))); }
+
+// Map depth that a texel's width along the light makes: a view tells that of a map of the pool's size.
+float level_slope_unit(uint face, uint level) { return map_views[face].slope_unit * lookup.map_size.x / level_size(level); }
+float map_slope_unit(MapPoint p) { return level_slope_unit(point_face(p), point_level(p)); }
+
 // The texel at p's own plus `offset`, on whichever page it is; false where no page of p's level has it.
 bool map_fetch(MapPoint p, ivec2 offset, out ivec3 address) {
   uint level = point_level(p), slot = point_slot(p);
-  ivec2 own = ivec2(floor(p.uv * level_size(level))), texel = own + offset;
-  if (texel / int(page_texels) != own / int(page_texels)) {
+  ivec2 own = map_texel(p), texel = own + offset;
+  if (any(greaterThanEqual(texel ^ own, ivec2(page_texels))) || any(lessThan(texel, ivec2(0)))) {
     uvec2 page = uvec2(texel) / page_texels;
     if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(page, uvec2(1u << (paged.top - level))))) return false;
     uint entry = page_table[page_index(point_face(p), level, page)];

@@ -6,6 +6,7 @@
 
 #include "shaders/page_bin_comp.h"
 #include "shaders/page_bin_groups_comp.h"
+#include "shaders/page_bin_sides_comp.h"
 #include "shaders/page_clear_vert.h"
 #include "shaders/page_clipped_casters_vert.h"
 #include "shaders/page_cull_comp.h"
@@ -13,9 +14,11 @@
 #include "shaders/page_inner_casters_vert.h"
 #include "shaders/page_small_casters_vert.h"
 #include "shaders/page_small_frag.h"
+#include "shaders/page_whole_casters_vert.h"
 #include "shadewright/error.h"
 #include "shadow/lookup_shaders.h"
 #include "shadow/parameterization/paged/paged.h"
+#include "shadow/storage/subpixel/shared.h"
 
 namespace shadewright::shadow {
 
@@ -39,23 +42,35 @@ PagedCasterDraws::PagedCasterDraws(const gpu::Device& device, const Paged& paged
 
 void PagedCasterDraws::make_pipelines(const gpu::Device& device, const CasterPipelineDesc& desc) {
   using enum gpu::BindingKind;
-  gpu::GraphicsDesc pipeline = casters_shaders(desc.spec);
-  pipeline.kinds = {storage_buffer, storage_buffer};
+  sides_ = desc.neighbours;
+  gpu::GraphicsDesc pipeline;
   pipeline.sets = {desc.lookup_layout};
-  pipeline.depth_clamp = true;
   pipeline.colors = desc.colors;
-  pipeline.vertex = shaders::page_clipped_casters_vert;
-  passes_[shared::pair_clipped] = gpu::GraphicsPass(device, pipeline);
-  pipeline.vertex = shaders::page_inner_casters_vert;
-  passes_[shared::pair_inner] = gpu::GraphicsPass(device, pipeline);
-  gpu::GraphicsDesc small = pipeline;
-  small.vertex = shaders::page_small_casters_vert;
-  small.fragment = shaders::page_small_frag;
-  passes_[shared::pair_small] = gpu::GraphicsPass(device, small);
-  pipeline.kinds = {storage_buffer};
-  pipeline.vertex = shaders::page_clear_vert;
-  pipeline.depth_compare = vk::CompareOp::eAlways;
-  clear_pass_ = gpu::GraphicsPass(device, pipeline);
+  gpu::GraphicsDesc clear = pipeline;
+  clear.kinds = {storage_buffer};
+  clear.vertex = shaders::page_clear_vert;
+  clear.depth_compare = vk::CompareOp::eAlways;
+  clear_pass_ = gpu::GraphicsPass(device, clear);
+
+  pipeline.kinds = {storage_buffer, storage_buffer};
+  pipeline.depth_clamp = true;
+  pipeline.push_bytes = sizeof(uint32_t);
+  if (sides_) {
+    const gpu::GraphicsDesc stages = casters_shaders(desc.spec);
+    pipeline.vertex = shaders::page_whole_casters_vert;
+    pipeline.geometry = stages.geometry;
+    pipeline.fragment = stages.fragment;
+    passes_[shared::pair_inner] = gpu::GraphicsPass(device, pipeline);
+    constants_.reach = shared::conservative_reach;
+  } else {
+    pipeline.vertex = shaders::page_clipped_casters_vert;
+    passes_[shared::pair_clipped] = gpu::GraphicsPass(device, pipeline);
+    pipeline.vertex = shaders::page_inner_casters_vert;
+    passes_[shared::pair_inner] = gpu::GraphicsPass(device, pipeline);
+    pipeline.vertex = shaders::page_small_casters_vert;
+    pipeline.fragment = shaders::page_small_frag;
+    passes_[shared::pair_small] = gpu::GraphicsPass(device, pipeline);
+  }
 
   const std::span layouts(&desc.lookup_layout, 1);
   const auto pass = [&](std::span<const uint32_t> spirv, size_t buffers,
@@ -64,7 +79,7 @@ void PagedCasterDraws::make_pipelines(const gpu::Device& device, const CasterPip
   };
   cull_pass_ = pass(shaders::page_cull_comp, 6, layouts);
   groups_pass_ = pass(shaders::page_bin_groups_comp, 1, {});
-  bin_pass_ = pass(shaders::page_bin_comp, 10, layouts);
+  bin_pass_ = sides_ ? pass(shaders::page_bin_sides_comp, 11, layouts) : pass(shaders::page_bin_comp, 10, layouts);
   command_pass_ = pass(shaders::page_draw_comp, 1, {});
 }
 
@@ -120,13 +135,19 @@ void PagedCasterDraws::bin(const vk::raii::CommandBuffer& commands, const Frame&
   const gpu::Buffer &in = round % 2 == 0 ? touched_ : late_, &out = round % 2 == 0 ? late_ : touched_;
   groups_pass_.dispatch(commands, std::array{state}, push, {1, 1, 1});
   gpu::memory_barrier(commands);
-  bin_pass_.dispatch_indirect(
-      commands,
-      std::array{Binding::storage(scene.clusters()), Binding::storage(scene.instances()),
-                 Binding::storage(scene.positions()), Binding::storage(scene.indices()),
-                 Binding::storage(paged_.pages_to_draw()), Binding::storage(in), Binding::storage(out), state,
-                 Binding::storage(pairs_), Binding::storage(corners_)},
-      push, paged_.state(), offsetof(shared::PageState, bin_groups), std::span(&lookup_set, 1));
+  const std::array bindings{Binding::storage(scene.clusters()),
+                            Binding::storage(scene.instances()),
+                            Binding::storage(scene.positions()),
+                            Binding::storage(scene.indices()),
+                            Binding::storage(paged_.pages_to_draw()),
+                            Binding::storage(in),
+                            Binding::storage(out),
+                            state,
+                            Binding::storage(pairs_),
+                            Binding::storage(corners_),
+                            Binding::storage(scene.triangle_neighbours())};
+  bin_pass_.dispatch_indirect(commands, std::span(bindings).first(sides_ ? 11 : 10), push, paged_.state(),
+                              offsetof(shared::PageState, bin_groups), std::span(&lookup_set, 1));
   gpu::memory_barrier(commands);
   command_pass_.dispatch(commands, std::array{state}, push, {1, 1, 1});
   gpu::memory_barrier(commands);
@@ -145,17 +166,19 @@ void PagedCasterDraws::draw(const vk::raii::CommandBuffer& commands, const Frame
   const auto side = static_cast<float>(paged_.pool_texels());
   commands.setViewport(0, vk::Viewport(0, 0, side, side, 0, 1));
   commands.setScissor(0, rounds_[index].viewport);
-  const auto draw_units = [&](const gpu::GraphicsPass& pass, std::span<const gpu::Binding> bindings, size_t command) {
-    pass.bind(commands, bindings, {}, std::span(&lookup_set, 1));
+  const auto draw_units = [&](const gpu::GraphicsPass& pass, std::span<const gpu::Binding> bindings,
+                              std::span<const std::byte> push, size_t command) {
+    pass.bind(commands, bindings, push, std::span(&lookup_set, 1));
     commands.drawIndirect(paged_.state().handle(), command, 1, 0);
   };
   using gpu::Binding;
   if (index == 0)
-    draw_units(clear_pass_, std::array{Binding::storage(paged_.emptied())}, offsetof(shared::PageState, clear));
+    draw_units(clear_pass_, std::array{Binding::storage(paged_.emptied())}, {}, offsetof(shared::PageState, clear));
   if (!frame.scene) return;
   const std::array bindings{Binding::storage(corners_), Binding::storage(pairs_)};
   for (uint32_t kind = 0; kind < shared::pair_kinds; ++kind)
-    draw_units(passes_[kind], bindings, offsetof(shared::PageState, draws) + kind * sizeof(shared::DrawArrays));
+    draw_units(passes_[sides_ ? shared::pair_inner : kind], bindings, gpu::bytes_of(kind),
+               offsetof(shared::PageState, draws) + kind * sizeof(shared::DrawArrays));
 }
 
 std::vector<Allocation> PagedCasterDraws::allocations() const {

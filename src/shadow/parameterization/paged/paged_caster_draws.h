@@ -35,6 +35,7 @@ class PagedCasterDraws final : public CasterDraws {
   std::vector<MapView> rounds_;
   const render::SceneGpu* scene_ = nullptr;  ///< whom the buffers were made for
   shared::BinConstants constants_{};
+  bool sides_ = false;  ///< whether the storage asks for triangles' sides, and draws all kinds of pairs by one pipeline
   gpu::GraphicsPass passes_[shared::pair_kinds], clear_pass_;
   gpu::ComputePass cull_pass_, groups_pass_, bin_pass_, command_pass_;
   gpu::Buffer touched_, late_, pairs_, corners_;

@@ -28,6 +28,25 @@ TEST_F(PagedTest, ShadowsAreRightUpToAPixel) {
   }
 }
 
+/// Sub-pixel triangles in pages of texels of a pixel's size: borders that depths get right to a pixel only, across
+/// pages' borders too.
+TEST_F(PagedTest, KeepsSubPixelTriangles) {
+  for (const char* name : {"spheres", "city"}) {
+    SCOPED_TRACE(name);
+    const Scene scene = make_builtin(name);
+    Study study(device(), scene, scene.cameras.front(), scene.lights.front(), small());
+    const TechniqueResult depth = run(study, "paged/depth/hard"),
+                          triangles = run(study, "paged/subpixel/hard,statistics=on");
+    EXPECT_LE(triangles.error.wrong, depth.error.wrong / 4);
+    EXPECT_LE(static_cast<double>(triangles.error.wrong), 0.03 * static_cast<double>(triangles.error.edge_pixels));
+    EXPECT_EQ(counter(triangles, "coarser_taps"), 0);
+    EXPECT_EQ(counter(triangles, "unserved_taps"), 0);
+    EXPECT_EQ(counter(triangles, "clusters_not_drawn"), 0);
+    EXPECT_GT(counter(triangles, "decided_by_recovery"), 0);
+    EXPECT_THROW(run(study, "paged/subpixel,analysis_scale=2"), InputError);
+  }
+}
+
 /// The paper's list of requests, sorted and made unique, names the pages that the bitmask does.
 TEST_F(PagedTest, SortedRequestsAskForTheSamePages) {
   const Scene scene = make_builtin("furball");
@@ -91,7 +110,8 @@ TEST_F(PagedTest, ServesSpotAndPointLights) {
   for (const LightKind kind : {LightKind::spot, LightKind::point}) {
     lamp.kind = kind;
     Study study(device(), scene, scene.cameras.front(), lamp, small());
-    for (const char* spec : {"paged/depth/hard@8192,statistics=on", "rmsm@8192,statistics=on"}) {
+    for (const char* spec : {"paged/depth/hard@8192,statistics=on", "rmsm@8192,statistics=on",
+                             "paged/subpixel/hard@8192,pool=2048,statistics=on"}) {
       const TechniqueResult result = run(study, spec);
       SCOPED_TRACE(spec);
       EXPECT_LE(result.error.oracle_fraction.value_or(0), 5e-4);
@@ -120,11 +140,14 @@ TEST_F(PagedTest, ACachedFrameThatSeesNothingNewDrawsNothing) {
   StudyOptions options = small();
   options.repeat = 2;
   Study study(device(), scene, scene.cameras.front(), scene.lights.front(), options);
-  const Outcome fresh = study.run(shadow::parse_spec("rmsm")), kept = study.run(shadow::parse_spec("rmsm,cache=on"));
-  EXPECT_GT(counter(fresh.result, "pages_drawn"), 0);
-  EXPECT_EQ(counter(kept.result, "pages_drawn"), 0);
-  EXPECT_EQ(counter(kept.result, "flushes"), 1);
-  EXPECT_EQ(kept.visibility, fresh.visibility);
+  for (const std::string spec : {"rmsm", "paged/subpixel/hard"}) {
+    SCOPED_TRACE(spec);
+    const Outcome fresh = study.run(shadow::parse_spec(spec)), kept = study.run(shadow::parse_spec(spec + ",cache=on"));
+    EXPECT_GT(counter(fresh.result, "pages_drawn"), 0);
+    EXPECT_EQ(counter(kept.result, "pages_drawn"), 0);
+    EXPECT_EQ(counter(kept.result, "flushes"), 1);
+    EXPECT_EQ(kept.visibility, fresh.visibility);
+  }
 }
 
 /// Over a path with casters that move, and with a light that moves, kept pages show what freshly drawn ones do, and no

@@ -45,14 +45,17 @@ uint entry_level(uint entry) { return entry >> entry_slot_bits & ((1u << entry_l
 // New blocks and pages that are not in one, in one number for the scan.
 uint new_count(uint blocks, uint singles) { return blocks << 20 | singles; }
 
-// A (triangle, unit) pair: the number of the triangle, the unit and its first page in the virtual map.
-uvec3 pack_pair(uint triangle, uint level, uvec2 page, uint slot, bool block) {
-  return uvec3(triangle, slot | (block ? unit_block : 0) | level << 17, page.x | page.y << 16);
+// A (triangle, unit) pair: the number of the triangle and what is told of its side (4 bits), the unit and its first page in the
+// virtual map.
+uvec3 pack_pair(uint triangle, uint side, uint face, uint level, uvec2 page, uint slot, bool block) {
+  return uvec3(triangle | side << 28, slot | (block ? unit_block : 0) | level << 17 | face << 21, page.x | page.y << 16);
 }
-uint pair_triangle(uvec3 pair) { return pair.x; }
+uint pair_triangle(uvec3 pair) { return pair.x & 0xfffffffu; }
+uint pair_side(uvec3 pair) { return pair.x >> 28; }
 uint pair_slot(uvec3 pair) { return pair.y & (unit_block - 1u); }
 bool pair_is_block(uvec3 pair) { return (pair.y & unit_block) != 0; }
-uint pair_level(uvec3 pair) { return pair.y >> 17; }
+uint pair_level(uvec3 pair) { return pair.y >> 17 & 0xfu; }
+uint pair_face(uvec3 pair) { return pair.y >> 21; }
 uvec2 pair_page(uvec3 pair) { return uvec2(pair.z & 0xffffu, pair.z >> 16); }
 
 // Bits of the pages of a block with x in [a, b], or y; coordinates within the block.
@@ -66,6 +69,12 @@ uint block_mask(ivec2 a, ivec2 b) {
 uvec2 slot_place(uint slot) {
   uint block = slot / block_pages, row = paged.pool_width / 8u;
   return uvec2(block % row * 8u, block / row * 4u) + z_curve_place(slot % block_pages);
+}
+
+// The unit's texels in the pool: low, high.
+vec4 pair_texels(uvec3 pair) {
+  vec2 place = vec2(slot_place(pair_slot(pair)) * page_texels);
+  return vec4(place, place + (pair_is_block(pair) ? vec2(256.0, 128.0) : vec2(page_texels)));
 }
 
 // The level of the pages in a word of one face.

@@ -110,7 +110,8 @@ struct BinConstants {
   uint first_pair[pair_kinds + 1];  // room for each kind
   uint triangle_capacity;
   uint round;
-  uint kinds;  // render::InstanceFilter
+  uint kinds;   // render::InstanceFilter
+  float reach;  // texels: how far a triangle may lie from a texel's centre and be drawn there, along each axis
 };
 
 #ifdef __cplusplus

@@ -4,8 +4,7 @@
 #ifndef SHADEWRIGHT_SUBPIXEL_COVERAGE_GLSL
 #define SHADEWRIGHT_SUBPIXEL_COVERAGE_GLSL
 
-// Half a texel, and what the rounding of vertices to 1/256 texel may move them.
-const float half_texel = 0.5 + 1.0 / 256.0;
+#include "shadow/storage/subpixel/shared.h"
 
 // The part of the edge from a to b that lies within the texel around the origin, of its length; none if x > y.
 vec2 clip_to_texel(vec2 a, vec2 b) {

@@ -32,7 +32,7 @@ Occluder occluder_at(ivec3 address, vec2 centre, float minimum, MapPoint p) {
   o.averted = (texel.b >> 31) != 0;
   if (o.large) code_x = (texel.r >> 28) | ((texel.g >> 28) << 4) | (((texel.b >> 28) & 7) << 8);
   SlopeEntry x = subpixel_tables.slopes[code_x], y = subpixel_tables.slopes[code_y];
-  float unit = map_views[p.layer].slope_unit;
+  float unit = map_slope_unit(p);
   float reach = depth_reach(x, y) * unit;
   float depth = coding.absolute_depth != 0 ? float(texel.a & 0xffffu) / 65535.0
                                            : minimum + reach * (float(texel.a & 0x3ffu) / 511.0 - 1.0);

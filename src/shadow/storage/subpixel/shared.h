@@ -17,6 +17,10 @@ namespace shadewright::shared {
 #endif
 
 const uint max_slope_codes = 2047;
+/// Half a texel, and what the rounding of vertices to 1/256 texel may move them.
+const float half_texel = 0.50390625f;
+/// The rasterizer snaps to 1/256 texel: this much more, so that no touched texel's centre is lost.
+const float conservative_reach = half_texel + 0.015625f;
 /// Of a triangle: a closed body's side that looks away from the light. Below it there is a bit a silhouette edge.
 const uint triangle_averted = 8;
 

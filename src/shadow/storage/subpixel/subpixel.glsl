@@ -77,7 +77,7 @@ bool subpixel_behind_tangents(MapPoint p, vec2 centre) {
 }
 
 // The centre of the texel in which the receiver lies, from the receiver.
-vec2 subpixel_centre(MapPoint p, ivec3 address) { return vec2(address.xy) + 0.5 - p.uv / p.texel; }
+vec2 subpixel_centre(MapPoint p) { return vec2(map_texel(p)) + 0.5 - p.uv / p.texel; }
 
 // What the receiver's own texel decides. False: its neighbours have a say, see storage_deferred.
 bool storage_quick(MapPoint p, out float visible) {
@@ -88,7 +88,7 @@ bool storage_quick(MapPoint p, out float visible) {
   if (!p.valid || !map_fetch(p, ivec2(0), address)) return true;
   if (texelFetch(subpixel_minimum, address, 0).r >= min(p.depth - lookup.bias_scale * p.tolerance, 1.0)) return true;
   Occluder o;
-  subpixel_fetch(p, subpixel_centre(p, address), 4, o);
+  subpixel_fetch(p, subpixel_centre(p), 4, o);
   float error = occluder_error(o, vec2(0.0));
   if (!o.averted && abs(o.depth) <= error) return true;
   visible = 0.0;
@@ -98,9 +98,7 @@ bool storage_quick(MapPoint p, out float visible) {
 // What the texels around it tell where storage_quick could not.
 float storage_deferred(MapPoint p) {
   // Those on the receiver's side before the others.
-  ivec3 address;
-  map_fetch(p, ivec2(0), address);
-  vec2 centre = subpixel_centre(p, address);
+  vec2 centre = subpixel_centre(p);
   ivec2 side = ivec2(centre.x < 0.0 ? 1 : -1, centre.y < 0.0 ? 1 : -1);
   storage_decision = decided_by_neighbours;
   Occluder o;
