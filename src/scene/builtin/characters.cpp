@@ -100,6 +100,10 @@ BuiltinScene characters() {
     add_camera(scene, "main", {2.4, 1.9, 5.2}, {0, 0.8, 0}, 45);
     add_camera(scene, "near", {0.9, 1.3, 3.7}, {0.1, 0.85, 0.6}, 48);
     add_camera(scene, "above", {-3, 6.5, 4.6}, {0, 0, 0}, 50);
+    // Down from above and in among the walkers.
+    add_camera_path(scene, "main", 1.5,
+                    {{{-3, 6.5, 4.6}, {0, 0, 0}}, {{2.4, 1.9, 5.2}, {0, 0.8, 0}}, {{0.9, 1.3, 3.7}, {0.1, 0.85, 0.6}}},
+                    48);
     add_sun(scene, 150, 38);
     return scene;
   };

@@ -83,6 +83,12 @@ BuiltinScene furball() {
 
     add_camera(scene, "wall", {-1.45, 0.95, 1.0}, {-0.38, 0.5, -0.5}, 42);
     add_camera(scene, "furball", {0.62, 1.0, 0.86}, {0.05, 0.78, 0.08}, 36);
+    // From the shadows on the wall around to the hairs themselves.
+    add_camera_path(scene, "main", 1.5,
+                    {{{-1.45, 0.95, 1.0}, {-0.38, 0.5, -0.5}},
+                     {{-0.5, 1.1, 1.5}, {-0.1, 0.7, -0.2}},
+                     {{0.62, 1.0, 0.86}, {0.05, 0.78, 0.08}}},
+                    40);
     add_sun(scene, 52, 21);
     return scene;
   };

@@ -1,26 +1,32 @@
 // trilinear: 2x2 percentage-closer filtering in the two levels around the pixel's, blended (RMSM, section 3.3.1).
 
 // The four texel centres around `world` at a level, each compared with the depth of the receiver's plane there and weighted
-// bilinearly. A tap is mapped anew: it may lie on another page, or be answered by a coarser page than its neighbours.
+// bilinearly. Those on the receiver's own page answer at once; then those of each other page, or one of a coarser page at a time.
 float trilinear_level(vec3 world, vec4 plane, uint level) {
   MapPoint p = map_point_at(world, plane, level);
   if (!p.valid) return 1.0;
+  // All fours are as textureGather has them: (left bottom, right bottom, right top, left top).
+  const vec4 right = vec4(0, 1, 1, 0), bottom = vec4(1, 1, 0, 0);
   vec2 corner = p.uv / p.texel - 0.5;
-  vec2 first = floor(corner), weight = corner - first;
-  vec3 at;
-  if (map_quad(p, first, at)) {
-    // As textureGather has them: (left bottom, right bottom, right top, left top).
-    vec2 slope = p.gradient * p.texel;
-    vec4 threshold = map_threshold(p) + (vec4(0, 1, 1, 0) - weight.x) * slope.x + (vec4(1, 1, 0, 0) - weight.y) * slope.y;
-    vec4 lit = storage_gather(at, threshold);
-    return dot(mix(vec2(lit.w, lit.x), vec2(lit.z, lit.y), weight.x), vec2(1.0 - weight.y, weight.y));
-  }
+  vec2 first = floor(corner), weight = corner - first, slope = p.gradient * p.texel;
+  vec4 open = mix(vec4(1.0 - weight.x), vec4(weight.x), right) * mix(vec4(1.0 - weight.y), vec4(weight.y), bottom);  // not yet answered
+  vec4 rise = (right - weight.x) * slope.x + (bottom - weight.y) * slope.y;
+  MapPoint tap = p;       // whose page answers now,
+  vec4 next = vec4(0.0);  // and the one of the four that it was looked up for
   float lit = 0.0;
-  for (int k = 0; k < 4; ++k) {
-    vec2 step = vec2(k & 1, k >> 1);
-    vec2 share = mix(1.0 - weight, weight, step);
-    lit += share.x * share.y * storage_visible(map_tap(p, (first + step + 0.5) * p.texel));
-  }
+  do {
+    bool coarser = tap.texel.x != p.texel.x;
+    vec2 step = vec2(dot(next, right), dot(next, bottom));
+    vec3 at;
+    vec4 here = vec4(map_quad(tap, coarser ? floor(tap.uv / tap.texel) - step : first, at));
+    vec4 answered = coarser || !tap.valid ? next : max(here, next);
+    tap.depth = p.depth;
+    lit += dot(answered * open, tap.valid ? storage_gather(at, map_threshold(tap) + rise) : vec4(1.0));
+    open *= 1.0 - answered;
+
+    next = open.x > 0.0 ? vec4(1, 0, 0, 0) : open.y > 0.0 ? vec4(0, 1, 0, 0) : open.z > 0.0 ? vec4(0, 0, 1, 0) : vec4(0, 0, 0, 1);
+    tap = map_tap(p, (first + vec2(dot(next, right), dot(next, bottom)) + 0.5) * p.texel);
+  } while (any(greaterThan(open, vec4(0.0))));
   return lit;
 }
 

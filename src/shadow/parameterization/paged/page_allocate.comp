@@ -30,18 +30,18 @@ void main() {
   bool new_block = has_blocks(level) && fresh == ~0u && page_state.block_least <= block_pages;
   uint slot = new_block ? base + (before[word] >> 20) * block_pages : first_single + (before[word] & 0xfffffu);
   uint entry = page_entry(0, level, page_state.epoch) | (new_block ? entry_block : 0);
-  for (uint bits = fresh; bits != 0; bits &= bits - 1) table[word * 32u + uint(findLSB(bits))] = entry + slot++;
+  for (uint bits = fresh; bits != 0; bits &= bits - 1) table[word * 32u + uint(findLSB(bits))] = entry | slot_place(slot++);
   placed[word] |= fresh;
   valid[word] |= requested[word] | draw[word];
   if (draw[word] == 0) return;
   atomicAdd(state.pages_drawn, bitCount(draw[word]));
   uint first_entry = table[word * 32u];
   bool block = draw[word] == ~0u && is_current(first_entry) && (first_entry & entry_block) != 0;
-  if (block) empty(entry_slot(first_entry) | unit_block);
+  if (block) empty(entry_place(first_entry) | unit_block);
   uint first = word / paged.words * paged.words * 32u;
   for (uint bits = draw[word]; bits != 0; bits &= bits - 1) {
     uint index = word * 32u + uint(findLSB(bits));
-    if (!block) empty(entry_slot(table[index]));
+    if (!block) empty(entry_place(table[index]));
     uint number = index - first - page_base(paged.top - level);
     for (uint l = level; l <= paged.top; ++l, number >>= 2) {
       uint above = first + page_base(paged.top - l) + number, bit = 1u << (above & 31u);

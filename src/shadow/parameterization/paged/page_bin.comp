@@ -119,7 +119,7 @@ void bin(MapTriangle t, uint triangle, uint side, PageCluster part) {
       overflow = 1;
       continue;
     }
-    pairs[pair] = pack_pair(triangle, side, part.face, level, page, entry_slot(page_table[word * 32u + bit]), whole);
+    pairs[pair] = pack_pair(triangle, side, part.face, level, page, entry_place(page_table[word * 32u + bit]), whole);
   }
 }
 

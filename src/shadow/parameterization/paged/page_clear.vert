@@ -9,6 +9,6 @@ layout(set = 0, binding = 0, scalar) readonly buffer Emptied { uint emptied[]; }
 void main() {
   uint unit = emptied[gl_VertexIndex / 6], corner = uint[6](0, 1, 2, 2, 1, 3)[gl_VertexIndex % 6];
   vec2 pages = (unit & unit_block) != 0 ? vec2(8.0, 4.0) : vec2(1.0);
-  vec2 place = vec2(slot_place(unit & (unit_block - 1u))) + pages * vec2(corner & 1, corner >> 1);
+  vec2 place = vec2(place_page(unit & (unit_block - 1u))) + pages * vec2(corner & 1, corner >> 1);
   gl_Position = vec4(place * 2.0 / float(paged.pool_width) - 1.0, 1.0, 1.0);
 }

@@ -11,7 +11,7 @@ layout(location = 0) flat out ivec2 from_pool;  // from a texel of the pool to t
 void main() {
   uint index = pages[gl_VertexIndex / 6], corner = uint[6](0, 1, 2, 2, 1, 3)[gl_VertexIndex % 6];
   uint number = index - superpage.face * paged.words * 32u - page_base(paged.top - superpage.level);
-  uvec2 page = z_curve_place(number) - superpage.first_page, place = slot_place(entry_slot(page_table[index]));
+  uvec2 page = z_curve_place(number) - superpage.first_page, place = place_page(entry_place(page_table[index]));
   from_pool = (ivec2(page) - ivec2(place)) * int(page_texels);
   gl_Position = vec4((vec2(place) + vec2(corner & 1, corner >> 1)) * 2.0 / float(paged.pool_width) - 1.0, 0.0, 1.0);
 }

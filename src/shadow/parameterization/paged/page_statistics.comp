@@ -8,7 +8,7 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 3, scalar) buffer StateOut { PageState state; };
-layout(set = 0, binding = 4, scalar) buffer Used { uint used[]; };  // a bit a texel, 32 words a slot
+layout(set = 0, binding = 4, scalar) buffer Used { uint used[]; };  // a bit a texel
 
 shared uint taps, coarser_taps, lost_taps;
 
@@ -20,7 +20,7 @@ void count_tap(MapPoint p, uint level) {
     return;
   }
   if (point_level(p) > level) atomicAdd(coarser_taps, 1);
-  uint word = point_slot(p) * page_texels + (uint(address.y) & (page_texels - 1u)), bit = 1u << (uint(address.x) & 31u);
+  uint word = uint(address.y) * paged.pool_width + uint(address.x) / 32u, bit = 1u << (uint(address.x) & 31u);
   if ((used[word] & bit) == 0 && (atomicOr(used[word], bit) & bit) == 0) atomicAdd(state.used_texels, 1);
 }
 

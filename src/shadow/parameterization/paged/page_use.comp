@@ -21,7 +21,8 @@ void main() {
     vec3 color = vec3(0.1, 0.6, 0.1);
     if (is_current(entry)) {
       uint texels = 0;
-      for (uint row = 0; row < page_texels; ++row) texels += bitCount(used[entry_slot(entry) * page_texels + row]);
+      uvec2 first = place_page(entry_place(entry)) * uvec2(1, page_texels);
+      for (uint row = 0; row < page_texels; ++row) texels += bitCount(used[(first.y + row) * paged.pool_width + first.x]);
       color = vec3(float(texels) / float(page_texels * page_texels));
     }
     uvec2 place = corner + z_curve_place(number);

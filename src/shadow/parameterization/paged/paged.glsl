@@ -32,9 +32,9 @@ uint find_page(uint face, uint level, vec2 uv) {
   return no_page;
 }
 
-uint point_slot(MapPoint p) { return entry_slot(p.layer); }
+uint point_place(MapPoint p) { return entry_place(p.layer); }
 uint point_level(MapPoint p) { return entry_level(p.layer); }
-uint point_face(MapPoint p) { return p.layer >> (entry_slot_bits + entry_level_bits); }
+uint point_face(MapPoint p) { return p.layer >> (place_bits + entry_level_bits); }
 
 uint paged_face(vec3 world) { return six_faces ? cube_face(world - lookup.light_position) : 0; }
 
@@ -78,7 +78,7 @@ MapPoint map_point_at(vec3 world, vec4 plane, uint level) {
   uint entry = find_page(face, level, paged_uv(world, face));
   uint found = entry == no_page ? level : entry_level(entry);
   MapPoint p = map_project(map_views[face], 0, world, plane, vec2(1.0 / level_size(found)));
-  p.layer = entry_slot(entry) | found << entry_slot_bits | face << (entry_slot_bits + entry_level_bits);
+  p.layer = entry_place(entry) | found << place_bits | face << (place_bits + entry_level_bits);
   p.valid = p.valid && entry != no_page;
   return p;
 }
@@ -105,7 +105,7 @@ MapPoint map_tap(MapPoint p, vec2 uv) {
   p.valid = entry != no_page && all(greaterThanEqual(uv, vec2(0.0))) && all(lessThan(uv, vec2(1.0)));
   if (!p.valid) return p;
   p.texel = vec2(1.0 / level_size(entry_level(entry)));
-  p.layer = entry_slot(entry) | entry_level(entry) << entry_slot_bits | face << (entry_slot_bits + entry_level_bits);
+  p.layer = entry_place(entry) | entry_level(entry) << place_bits | face << (place_bits + entry_level_bits);
   return p;
 }
 
@@ -118,25 +118,26 @@ float map_slope_unit(MapPoint p) { return level_slope_unit(point_face(p), point_
 
 // The texel at p's own plus `offset`, on whichever page it is; false where no page of p's level has it.
 bool map_fetch(MapPoint p, ivec2 offset, out ivec3 address) {
-  uint level = point_level(p), slot = point_slot(p);
+  uint level = point_level(p), place = point_place(p);
   ivec2 own = map_texel(p), texel = own + offset;
   if (any(greaterThanEqual(texel ^ own, ivec2(page_texels))) || any(lessThan(texel, ivec2(0)))) {
     uvec2 page = uvec2(texel) / page_texels;
     if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(page, uvec2(1u << (paged.top - level))))) return false;
     uint entry = page_table[page_index(point_face(p), level, page)];
     if (!is_current(entry) || entry_level(entry) != level) return false;
-    slot = entry_slot(entry);
+    place = entry_place(entry);
   }
-  address = ivec3(ivec2(slot_place(slot) * page_texels) + (texel & int(page_texels - 1u)), 0);
+  address = ivec3(ivec2(place_page(place) * page_texels) + (texel & int(page_texels - 1u)), 0);
   return true;
 }
 
-// Where the pool holds the corner between the texels `first` and `first` + 1 of p's level; false unless all four lie on p's page.
-bool map_quad(MapPoint p, vec2 first, out vec3 at) {
+// Where the pool holds the corner between the texels `first` and `first` + 1 of p's level, and which of the four lie on p's page.
+bvec4 map_quad(MapPoint p, vec2 first, out vec3 at) {
   vec2 page = floor(p.uv / p.texel / float(page_texels)) * float(page_texels);
   vec2 within = first - page;
-  at = vec3((vec2(slot_place(point_slot(p)) * page_texels) + within + 1.0) / float(paged.pool_width * page_texels), 0.0);
-  return all(greaterThanEqual(within, vec2(0.0))) && all(lessThan(within, vec2(page_texels - 1u)));
+  at = vec3((place_texel(point_place(p)) + within + 1.0) / float(paged.pool_width * page_texels), 0.0);
+  bvec2 low = greaterThanEqual(within, vec2(0.0)), high = lessThan(within, vec2(page_texels - 1u));
+  return bvec4(low.x && high.y, high.x && high.y, high.x && low.y, low.x && low.y);  // textureGather's order
 }
 
 #include "shadow/parameterization/ray.glsl"

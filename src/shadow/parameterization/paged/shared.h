@@ -88,8 +88,8 @@ struct PageCluster {
   uint first_triangle;  // where its triangles' corners stand in this round
 };
 
-/// What is drawn as one: a page, or a whole block of pages that are neighbours in the pool too: its first slot, and
-/// this.
+/// What is drawn as one: a page, or a whole block of pages that are neighbours in the pool too: its first place,
+/// and this.
 const uint unit_block = 0x10000u;
 
 /// draw=superpages: what is drawn by one pass over the casters, and copied to the pool.
