@@ -30,13 +30,14 @@ void main() {
   if (slot >= constants.cluster_count) return;
   ClusterData cluster = clusters[order[slot]];
   uint base = view * constants.list_capacity + cluster.list_base;
-  uint count = 0;
+  uint count = 0, listed = (cluster.index_count / 3 + listed_alignment - 1) / listed_alignment * listed_alignment;
   for (uint i = 0; i < cluster.instance_count; ++i) {
     uint instance = cluster.first_instance + i;
     if ((instances[instance].kind & views[view].kinds) == 0 || outside(instances[instance], cluster, view)) continue;
     mat3x4 rows = transpose(instances[instance].world_from_mesh);
     uint body = cluster.body | (determinant(mat3(instances[instance].world_from_mesh)) < 0.0 ? body_mirrored : 0);
-    visible[base + count++] = VisibleInstance(vec4[3](rows[0], rows[1], rows[2]), instances[instance].albedo, cluster.first_index / 3 | body, 0);
+    visible[base + count] = VisibleInstance(vec4[3](rows[0], rows[1], rows[2]), instances[instance].albedo, cluster.first_index / 3 | body, 0, cluster.first_listed + count * listed);
+    ++count;
   }
   draws[view * constants.cluster_count + slot] = DrawCommand(cluster.index_count, count, cluster.first_index, 0, base);
 }

@@ -142,6 +142,7 @@ SceneGpu::SceneGpu(const gpu::Device& device, const Scene& scene, double time, u
   std::vector<glm::uvec3> across;
   std::vector<uint32_t> normals;
   std::vector<shared::ClusterData> clusters;
+  std::vector<uint32_t> listed_clusters;
   std::vector<uint32_t> mesh_first_cluster(scene.meshes.size() + 1, 0);
   for (size_t m = 0; m < scene.meshes.size(); ++m) {
     const Mesh& mesh = scene.meshes[m];
@@ -172,8 +173,12 @@ SceneGpu::SceneGpu(const gpu::Device& device, const Scene& scene, double time, u
         normals.push_back(packed_normal(mesh, triangle));
       }
       clusters.push_back({glm::vec3(box.center()), glm::vec3(0.5 * box.size()), first_index, 3 * (end - begin), shown.x,
-                          shown.y, list_capacity_, c < parts.closed ? shared::body_closed : 0, longest_edge});
+                          shown.y, list_capacity_, c < parts.closed ? shared::body_closed : 0, longest_edge,
+                          listed_triangles_});
       list_capacity_ += shown.y;
+      listed_clusters.resize(list_capacity_, static_cast<uint32_t>(clusters.size() - 1));
+      constexpr uint32_t alignment = shared::listed_alignment;
+      listed_triangles_ += shown.y * ((end - begin + alignment - 1) / alignment * alignment);
       cluster_mesh_centers_.emplace_back(box.center());
       cluster_centers_.push_back(instances[shown.x].world_from_mesh * glm::vec4(cluster_mesh_centers_.back(), 1.0f));
       cluster_instances_.push_back(shown);
@@ -188,6 +193,7 @@ SceneGpu::SceneGpu(const gpu::Device& device, const Scene& scene, double time, u
   normals_ = gpu::make_buffer<uint32_t>(device, "scene triangle normals", normals);
   instances_ = gpu::make_buffer<shared::InstanceData>(device, "scene instances", instances);
   clusters_ = gpu::make_buffer<shared::ClusterData>(device, "scene clusters", clusters);
+  listed_clusters_ = gpu::make_buffer<uint32_t>(device, "scene listed clusters", listed_clusters);
 
   for (uint32_t i = 0; i < scene.instances.size(); ++i) {
     const Instance& instance = scene.instances[i];
@@ -275,8 +281,9 @@ std::vector<uint32_t> SceneGpu::front_to_back(const glm::dvec3& eye) const {
 }
 
 std::vector<Allocation> SceneGpu::allocations() const {
-  std::vector<Allocation> result{positions_.allocation(), indices_.allocation(),   across_.allocation(),
-                                 normals_.allocation(),   instances_.allocation(), clusters_.allocation()};
+  std::vector<Allocation> result{positions_.allocation(),      indices_.allocation(),   across_.allocation(),
+                                 normals_.allocation(),        instances_.allocation(), clusters_.allocation(),
+                                 listed_clusters_.allocation()};
   for (const gpu::Buffer& staging : staging_) result.push_back(staging.allocation());
   return result;
 }

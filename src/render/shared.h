@@ -32,6 +32,7 @@ struct VisibleInstance {
   uint albedo;
   uint first_triangle;  // of the cluster, into the triangle normals; and the bits of its body
   uint part;            // of what is drawn into, where that has parts: culling writes 0
+  uint first_listed;    // of its triangles in a list of all of the view's, a multiple of listed_alignment
 };
 
 // In VisibleInstance::first_triangle: the cluster bounds closed bodies, and the instance turns its triangles' winding.
@@ -48,7 +49,10 @@ struct ClusterData {
   uint list_base;      // where this cluster's visible instances are listed
   uint body;           // body_closed or 0
   float longest_edge;  // of its triangles, mesh space
+  uint first_listed;   // of its first visible instance; the others' follow, aligned
 };
+/// Instances' triangles begin at multiples of this in lists of a view's triangles, so that a word holds bits of one only.
+const uint listed_alignment = 8;
 
 const uint max_cull_planes = 10;
 

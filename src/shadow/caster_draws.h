@@ -19,7 +19,8 @@ struct CasterPipelineDesc {
   vk::DescriptorSetLayout lookup_layout;                       ///< set 1
   std::vector<vk::Format> colors;                              ///< of attachments besides depth (D32)
   render::SceneInputs inputs = render::SceneInputs::position;  ///< what the storage's vertex stage reads
-  bool neighbours = false;  ///< whether its geometry stage reads what render/scene_neighbours.glsl declares
+  bool sides =
+      false;  ///< whether it draws one side of closed bodies and asks for silhouettes (storage/subpixel/side.glsl)
 };
 
 class CasterDraws {

@@ -40,6 +40,15 @@ struct DeferredReceivers {
 };
 const uint deferred_group = 64;
 
+/// Of caster_sides.comp: four bits a triangle, three of silhouette edges below this one.
+const uint side_drawn = 8, sides_per_word = 8;
+struct SidesConstants {
+  uint cluster_count;
+  uint list_capacity;
+  uint view;
+  uint compact;  // 1: list what is drawn
+};
+
 #ifdef __cplusplus
 }  // namespace shadewright::shared
 #endif

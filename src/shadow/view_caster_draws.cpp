@@ -16,7 +16,7 @@ const Plane nothing{{0, 0, 0}, -1};
 gpu::GraphicsDesc ViewCasterDraws::describe(const CasterPipelineDesc& desc) {
   gpu::GraphicsDesc pipeline = casters_shaders(desc.spec);
   render::CulledDraws::set_vertex_input(pipeline, desc.inputs);
-  if (desc.neighbours) pipeline.kinds.assign(3, gpu::BindingKind::storage_buffer);
+  if (desc.sides) pipeline.kinds.assign(2, gpu::BindingKind::storage_buffer);
   pipeline.sets = {desc.lookup_layout};
   pipeline.push_bytes = sizeof(uint32_t);
   pipeline.depth_clamp = true;
@@ -26,7 +26,11 @@ gpu::GraphicsDesc ViewCasterDraws::describe(const CasterPipelineDesc& desc) {
 
 void ViewCasterDraws::make_pipelines(const gpu::Device& device, const CasterPipelineDesc& desc) {
   pass_ = gpu::GraphicsPass(device, describe(desc));
-  neighbours_ = desc.neighbours;
+  ask_for_sides(desc);
+}
+
+void ViewCasterDraws::ask_for_sides(const CasterPipelineDesc& desc) {
+  sides_layout_ = desc.sides ? desc.lookup_layout : vk::DescriptorSetLayout{};
 }
 
 void ViewCasterDraws::prepare(const Frame& frame, uint32_t slot, std::span<const MapView> views) {
@@ -35,6 +39,7 @@ void ViewCasterDraws::prepare(const Frame& frame, uint32_t slot, std::span<const
   if (scene_ != frame.scene) {
     draws_.emplace(*frame.scene, max_views_, frames_in_flight_, "shadow");
     scene_ = frame.scene;
+    if (sides_layout_) sides_.emplace(*scene_, compacts(), sides_layout_);
   }
   std::vector<std::vector<Plane>> planes;
   std::transform(views.begin(), views.end(), std::back_inserter(planes),
@@ -59,21 +64,29 @@ void ViewCasterDraws::draw(const vk::raii::CommandBuffer& commands, const Frame&
   if (frame.draw_casters) frame.draw_casters({commands, index, view, lookup_set});
 }
 
-std::vector<gpu::Binding> ViewCasterDraws::neighbours(const gpu::Buffer& visible) const {
-  using gpu::Binding;
-  if (!neighbours_) return {};
-  return {Binding::storage(scene_->positions()), Binding::storage(scene_->triangle_neighbours()),
-          Binding::storage(visible)};
+void ViewCasterDraws::before(const vk::raii::CommandBuffer& commands, const Frame& frame, uint32_t index,
+                             vk::DescriptorSet lookup_set) const {
+  if (frame.scene && sides_) sides_->find(commands, *draws_, index, lookup_set);
+}
+
+std::vector<gpu::Binding> ViewCasterDraws::sides(const gpu::Buffer& visible) const {
+  return sides_ ? sides_->bindings(visible) : std::vector<gpu::Binding>{};
 }
 
 void ViewCasterDraws::draw_scene(const vk::raii::CommandBuffer& commands, uint32_t index,
                                  vk::DescriptorSet lookup_set) const {
-  pass_.bind(commands, neighbours(draws_->visible()), gpu::bytes_of(index), std::span(&lookup_set, 1));
-  draws_->draw(commands, index);
+  pass_.bind(commands, sides(draws_->visible()), gpu::bytes_of(index), std::span(&lookup_set, 1));
+  if (sides_ && sides_->compacts())
+    sides_->draw(commands, *draws_);
+  else
+    draws_->draw(commands, index);
 }
 
 std::vector<Allocation> ViewCasterDraws::allocations() const {
-  return draws_ ? draws_->allocations() : std::vector<Allocation>{};
+  std::vector<Allocation> result = draws_ ? draws_->allocations() : std::vector<Allocation>{};
+  if (sides_)
+    for (Allocation& allocation : sides_->allocations()) result.push_back(std::move(allocation));
+  return result;
 }
 
 }  // namespace shadewright::shadow

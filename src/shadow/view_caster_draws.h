@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "shadow/caster_draws.h"
+#include "shadow/caster_sides.h"
 
 namespace shadewright::shadow {
 
@@ -18,23 +19,30 @@ class ViewCasterDraws : public CasterDraws {
   std::span<const MapView> targets() const override { return views_; }
   void draw(const vk::raii::CommandBuffer& commands, const Frame& frame, uint32_t index,
             vk::DescriptorSet lookup_set) const override;
+  void before(const vk::raii::CommandBuffer& commands, const Frame& frame, uint32_t index,
+              vk::DescriptorSet lookup_set) const override;
   std::vector<Allocation> allocations() const override;
 
  protected:
   /// The pipeline's description, for a parameterization that makes further ones like it.
   static gpu::GraphicsDesc describe(const CasterPipelineDesc& desc);
-  /// What render/scene_neighbours.glsl declares, if the storage asked for it; `visible` holds what is drawn.
-  std::vector<gpu::Binding> neighbours(const gpu::Buffer& visible) const;
+  /// Finds the triangles' sides before each drawing, if the storage asks for them.
+  void ask_for_sides(const CasterPipelineDesc& desc);
+  /// What the storage's geometry stage reads, if it asked for the triangles' sides; `visible` holds what is drawn.
+  std::vector<gpu::Binding> sides(const gpu::Buffer& visible) const;
+  /// Whether triangles that are not drawn may be left out of the clusters' indices.
+  virtual bool compacts() const { return true; }
   /// Draws the scene's casters into target `index`.
   virtual void draw_scene(const vk::raii::CommandBuffer& commands, uint32_t index, vk::DescriptorSet lookup_set) const;
 
   std::optional<render::CulledDraws> draws_;
   const render::SceneGpu* scene_ = nullptr;  ///< whose draws these are
   gpu::GraphicsPass pass_;
-  bool neighbours_ = false;  ///< whether its geometry stage reads what lies across edges
 
  private:
   uint32_t max_views_, frames_in_flight_;
+  vk::DescriptorSetLayout sides_layout_;  ///< set 1 of the pass that finds sides; none: nobody asks for them
+  std::optional<CasterSides> sides_;
   std::span<const MapView> views_;
 };
 

@@ -63,6 +63,10 @@ class SceneGpu {
   uint32_t cluster_count() const { return cluster_count_; }
   /// Sum over clusters of how many instances show them: the longest list of visible instances.
   uint32_t list_capacity() const { return list_capacity_; }
+  /// The cluster whose instances are listed at each of these places.
+  const gpu::Buffer& listed_clusters() const { return listed_clusters_; }
+  /// Places for every triangle of every instance (VisibleInstance::first_listed).
+  uint32_t listed_triangles() const { return listed_triangles_; }
   /// A world-space point of each cluster's nearest instance is found from these: centres of clusters shown once, else
   /// the mesh's instances' centres. Used to draw front to back.
   std::vector<uint32_t> front_to_back(const glm::dvec3& eye) const;
@@ -87,12 +91,12 @@ class SceneGpu {
   std::vector<MovedInstance> moved_;
   uint64_t update_count_ = 0;
   uint64_t triangle_count_ = 0;
-  uint32_t cluster_count_ = 0, list_capacity_ = 0;
+  uint32_t cluster_count_ = 0, list_capacity_ = 0, listed_triangles_ = 0;
   std::vector<glm::vec3> cluster_mesh_centers_;  ///< mesh space
   std::vector<glm::vec3> cluster_centers_;       ///< world, of the cluster's first instance
   std::vector<glm::uvec2> cluster_instances_;    ///< first, count
   std::vector<glm::vec3> instance_centers_;      ///< in device order
-  gpu::Buffer positions_, indices_, across_, normals_, instances_, clusters_;
+  gpu::Buffer positions_, indices_, across_, normals_, instances_, clusters_, listed_clusters_;
   std::vector<gpu::Buffer> staging_;         ///< by slot, host-written: shared::InstanceData of each moving instance
   std::vector<vk::BufferCopy> moving_runs_;  ///< from the staging to the instances: neighbours in one copy
 };

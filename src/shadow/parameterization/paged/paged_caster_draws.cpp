@@ -42,7 +42,7 @@ PagedCasterDraws::PagedCasterDraws(const gpu::Device& device, const Paged& paged
 
 void PagedCasterDraws::make_pipelines(const gpu::Device& device, const CasterPipelineDesc& desc) {
   using enum gpu::BindingKind;
-  sides_ = desc.neighbours;
+  sides_ = desc.sides;
   gpu::GraphicsDesc pipeline;
   pipeline.sets = {desc.lookup_layout};
   pipeline.colors = desc.colors;

@@ -26,7 +26,7 @@ const vk::VertexInputAttributeDescription segments_input(6, 1, vk::Format::eR32U
 
 void WarpedCasterDraws::make_pipelines(const gpu::Device& device, const CasterPipelineDesc& desc) {
   device_ = &device;
-  neighbours_ = desc.neighbours;
+  ask_for_sides(desc);
   const bool bends = WarpedCasterDraws::bends(desc.spec);
   using enum gpu::BindingKind;
   part_ =
@@ -94,7 +94,7 @@ void WarpedCasterDraws::draw_scene(const vk::raii::CommandBuffer& commands, uint
   commands.bindVertexBuffers(0, {scene_->positions().handle(), pieces_.handle()}, {0, 0});
   commands.bindIndexBuffer(scene_->indices().handle(), 0, vk::IndexType::eUint32);
   const auto draw = [&](const gpu::GraphicsPass& pass, const gpu::Buffer& draws, uint32_t per_cluster) {
-    pass.bind(commands, neighbours(pieces_), gpu::bytes_of(index), std::span(&lookup_set, 1));
+    pass.bind(commands, sides(pieces_), gpu::bytes_of(index), std::span(&lookup_set, 1));
     commands.drawIndexedIndirect(draws.handle(), 0, per_cluster * scene_->cluster_count(), sizeof(shared::DrawCommand));
   };
   draw(pass_, piece_draws_, 1);

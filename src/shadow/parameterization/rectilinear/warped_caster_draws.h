@@ -26,6 +26,8 @@ class WarpedCasterDraws final : public ViewCasterDraws {
   std::vector<Allocation> allocations() const override;
 
  private:
+  /// Pieces of a cluster share its indices.
+  bool compacts() const override { return false; }
   void draw_scene(const vk::raii::CommandBuffer& commands, uint32_t index, vk::DescriptorSet lookup_set) const override;
   void make_buffers(uint32_t spare);
 

@@ -1,9 +1,12 @@
-// A triangle of the scene in the stage that draws it conservatively, where one view draws all of a caster.
-#include "render/scene_neighbours.glsl"
+// A triangle of the scene in the stage that draws it conservatively, where one view draws all of a caster. Its side is found before, see
+// caster_sides.comp.
+#include "render/shared.h"
 #include "shadow/storage/caster_geometry.glsl"
-#include "shadow/storage/subpixel/side.glsl"
+#include "shadow/storage/subpixel/shared.h"
 
-layout(location = 0) in vec4 world[];  // and the bits of the instance's index
+layout(set = 0, binding = 0, scalar) readonly buffer CasterSides { uint caster_sides[]; };
+layout(set = 0, binding = 1, scalar) readonly buffer SceneVisible { VisibleInstance scene_visible[]; };
+layout(location = 0) flat in uint instance_index[];
 layout(push_constant, scalar) uniform Push { uint view; };
 
 #ifdef MAP_CUT
@@ -12,21 +15,14 @@ uint caster_part;
 
 // What the fragments learn of the triangle's side. False if it is not drawn.
 bool caster_begin(out uint side) {
-  VisibleInstance instance = scene_visible[floatBitsToUint(world[0].w)];
+  VisibleInstance instance = scene_visible[instance_index[0]];
 #ifdef MAP_CUT
   caster_part = instance.part;
 #endif
-  vec3 corners[3] = vec3[3](world[0].xyz, world[1].xyz, world[2].xyz);
-  bool facing = faces_light(corners[0], corners[1], corners[2]);
-  if (is_left_out(facing, instance.first_triangle)) return false;
-  side = (instance.first_triangle & body_closed) != 0 ? triangle_averted : 0;
-  uvec3 across = scene_neighbours[(instance.first_triangle & first_triangle_mask) + gl_PrimitiveIDIn];
-  for (int e = 0; e < 3; ++e) {
-    bool open = across[e] == no_vertex;
-    vec3 beyond = open ? vec3(0.0) : scene_vertex_world(instance, across[e]);
-    side |= silhouette_bit(e, corners, open, beyond, facing);
-  }
-  return true;
+  uint at = instance.first_listed + gl_PrimitiveIDIn;  // which counts within a draw
+  uint bits = bitfieldExtract(caster_sides[at / sides_per_word], int(32 / sides_per_word * (at % sides_per_word)), 32 / int(sides_per_word));
+  side = (bits & (side_drawn - 1)) | ((instance.first_triangle & body_closed) != 0 ? triangle_averted : 0);
+  return (bits & side_drawn) != 0;
 }
 
 // Where it may be drawn, in texels.

@@ -20,19 +20,23 @@ void nearer(inout vec2 place, vec2 other) {
 
 void silhouette_add(inout Silhouette s, Occluder o) {
   bool before = o.depth < 0.0;  // its plane, at the receiver
-  vec2 crossings[2];
+  vec2 first_crossing, second_crossing;
   uint crossing_count = 0;
   for (uint i = 0; i < 3; ++i) {
     vec2 from, to, outward, crossing;
     bool crosses;
     if (!occluder_edge(o, i, from, to, outward) || !occluder_clip(o, from, to, crossing, crosses)) continue;
-    if (crosses && crossing_count < 2) crossings[crossing_count++] = crossing;
+    if (crosses) {
+      if (crossing_count == 0) first_crossing = crossing;
+      else second_crossing = crossing;
+      ++crossing_count;
+    }
     if (dot(outward, from) >= 0.0) continue;
     vec2 place = nearest_place(from, to);
     if (before && !decode_silhouette(o.words[i])) s.inner = min(s.inner, dot(place, place));
     else nearer(s.border, place);
   }
-  if (crossing_count == 2 && !before) nearer(s.border, nearest_place(crossings[0], crossings[1]));
+  if (crossing_count == 2 && !before) nearer(s.border, nearest_place(first_crossing, second_crossing));
 }
 
 // Of neighbouring edges both end at the same place: a silhouette decides then. Where all nine texels are occluded no

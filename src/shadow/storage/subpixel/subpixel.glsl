@@ -36,19 +36,6 @@ bool subpixel_fetch(MapPoint p, vec2 centre, int i, out Occluder o) {
   return true;
 }
 
-bool subpixel_behind_silhouette(MapPoint p, vec2 centre) {
-  Silhouette s = no_silhouette;
-  uint occluded = 0;
-  Occluder o;
-  for (int i = 0; i < 9; ++i) {
-    if (!subpixel_fetch(p, centre, i, o) || !occluder_before(o)) continue;
-    silhouette_add(s, o);
-    ++occluded;
-  }
-  subpixel_border = s.border;
-  return silhouette_shadows(s, occluded == 9);
-}
-
 bool subpixel_behind_tangents(MapPoint p, vec2 centre) {
   uint pattern = 0;
   Occluder o;
@@ -95,22 +82,29 @@ bool storage_quick(MapPoint p, out float visible) {
   return o.depth < -error && occluder_holds(o, vec2(0.0));
 }
 
-// What the texels around it tell where storage_quick could not.
+// What the texels around it tell where storage_quick could not. One walk over them serves the test of their triangles and the
+// silhouettes: reading a triangle costs most.
 float storage_deferred(MapPoint p) {
-  // Those on the receiver's side before the others.
   vec2 centre = subpixel_centre(p);
-  ivec2 side = ivec2(centre.x < 0.0 ? 1 : -1, centre.y < 0.0 ? 1 : -1);
+  ivec2 side = ivec2(centre.x < 0.0 ? 1 : -1, centre.y < 0.0 ? 1 : -1);  // those on the receiver's side before the others
   storage_decision = decided_by_neighbours;
+  Silhouette s = no_silhouette;
+  uint occluded = 0;
   Occluder o;
-  for (int k = 1; k < 9; ++k) {
+  for (int k = 0; k < 9; ++k) {
     ivec2 offset = subpixel_order[k] * side;
     subpixel_decider = 3 * offset.y + offset.x + 4;
-    if (subpixel_fetch(p, centre, subpixel_decider, o) && o.depth < -occluder_error(o, vec2(0.0)) && occluder_holds(o, vec2(0.0))) return 0.0;
+    if (!subpixel_fetch(p, centre, subpixel_decider, o)) continue;
+    if (o.depth < -occluder_error(o, vec2(0.0)) && occluder_holds(o, vec2(0.0))) return 0.0;
+    if (subpixel.recovery != recovery_silhouettes || !occluder_before(o)) continue;
+    silhouette_add(s, o);
+    ++occluded;
   }
   if (subpixel.recovery == recovery_off) return 1.0;
   storage_decision = decided_by_recovery;
-  bool behind = subpixel.recovery == recovery_tangents ? subpixel_behind_tangents(p, centre) : subpixel_behind_silhouette(p, centre);
-  return behind ? 0.0 : 1.0;
+  if (subpixel.recovery == recovery_tangents) return subpixel_behind_tangents(p, centre) ? 0.0 : 1.0;
+  subpixel_border = s.border;
+  return silhouette_shadows(s, occluded == 9) ? 0.0 : 1.0;
 }
 
 float storage_visible(MapPoint p) {

@@ -1,0 +1,67 @@
+#include "shadow/caster_sides.h"
+
+#include <array>
+
+#include "render/shared.h"
+#include "shaders/caster_sides_comp.h"
+#include "shadow/shared.h"
+
+namespace shadewright::shadow {
+
+namespace {
+
+/// Of storage bindings on every device (the limit that Vulkan promises).
+constexpr uint64_t max_binding_bytes = uint64_t{1} << 27;
+
+}  // namespace
+
+CasterSides::CasterSides(const render::SceneGpu& scene, bool compacts, vk::DescriptorSetLayout lookup_layout)
+    : scene_(scene) {
+  const gpu::Device& device = scene.device();
+  const uint64_t index_bytes = uint64_t{scene.listed_triangles()} * sizeof(glm::uvec3);
+  sides_ = gpu::Buffer(device, "caster sides", scene.listed_triangles() / shared::sides_per_word * sizeof(uint32_t));
+  if (compacts && index_bytes <= max_binding_bytes) {
+    kept_indices_ = gpu::Buffer(device, "caster indices", index_bytes);
+    kept_draws_ = gpu::Buffer(device, "caster draws", scene.list_capacity() * sizeof(shared::DrawCommand));
+  }
+  pass_ = gpu::ComputePass(device, shaders::caster_sides_comp, std::vector(10, gpu::BindingKind::storage_buffer),
+                           sizeof(shared::SidesConstants), std::span(&lookup_layout, 1));
+}
+
+void CasterSides::find(const vk::raii::CommandBuffer& commands, const render::CulledDraws& draws, uint32_t view,
+                       vk::DescriptorSet lookup_set) const {
+  using gpu::Binding;
+  const shared::SidesConstants constants{scene_.cluster_count(), scene_.list_capacity(), view, compacts() ? 1u : 0u};
+  const std::array bindings{Binding::storage(scene_.clusters()),
+                            Binding::storage(scene_.listed_clusters()),
+                            Binding::storage(draws.commands()),
+                            Binding::storage(draws.visible()),
+                            Binding::storage(scene_.positions()),
+                            Binding::storage(scene_.indices()),
+                            Binding::storage(scene_.triangle_neighbours()),
+                            Binding::storage(sides_),
+                            Binding::storage(compacts() ? kept_indices_ : sides_),
+                            Binding::storage(compacts() ? kept_draws_ : sides_)};
+  gpu::memory_barrier(commands);  // the view before may still be drawn
+  pass_.dispatch(commands, bindings, gpu::bytes_of(constants), {gpu::groups(constants.list_capacity, 32), 1, 1},
+                 std::span(&lookup_set, 1));
+  gpu::memory_barrier(commands);
+}
+
+void CasterSides::draw(const vk::raii::CommandBuffer& commands, const render::CulledDraws& draws) const {
+  commands.bindVertexBuffers(0, {scene_.positions().handle(), draws.visible().handle()}, {0, 0});
+  commands.bindIndexBuffer(kept_indices_.handle(), 0, vk::IndexType::eUint32);
+  commands.drawIndexedIndirect(kept_draws_.handle(), 0, scene_.list_capacity(), sizeof(shared::DrawCommand));
+}
+
+std::vector<gpu::Binding> CasterSides::bindings(const gpu::Buffer& visible) const {
+  return {gpu::Binding::storage(sides_), gpu::Binding::storage(visible)};
+}
+
+std::vector<Allocation> CasterSides::allocations() const {
+  std::vector<Allocation> result{sides_.allocation()};
+  if (compacts()) result.insert(result.end(), {kept_indices_.allocation(), kept_draws_.allocation()});
+  return result;
+}
+
+}  // namespace shadewright::shadow
