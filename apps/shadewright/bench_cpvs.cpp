@@ -189,7 +189,7 @@ void lookup_rows(const BenchOptions& bench, const char* name, BenchTable& speed,
   const double ray = median_milliseconds([&] { tracer.visible(points, eye, light, width); });
   double one_tap = 0;
   for (const auto& [taps, paper] : {std::pair{1u, "1"}, {9u, "2.5"}, {17u, "4.5"}}) {
-    const double ms = median_milliseconds([&] { shadow.visibility(asked, taps, answers); });
+    const double ms = median_milliseconds([&, taps = taps] { shadow.visibility(asked, taps, answers); });
     if (taps == 1) one_tap = ms;
     speed.rows.push_back({name, std::to_string(options.resolution), fmt::format("{0}x{0}", taps),
                           fmt::format("{:.1f}", ms), paper, fmt::format("{:.2f}", ms / one_tap),

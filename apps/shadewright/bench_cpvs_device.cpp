@@ -145,7 +145,7 @@ BenchTable orders(Bench& bench, Bakes& bakes) {
         specs.push_back(fmt::format("{},taps={},order={}", bakes.spec(scene, name), taps, order));
     const compare::Report report = fly(bench, scene, specs);
     for (const auto& [first, taps] : {std::pair<size_t, const char*>{0, "9"}, {3, "17"}}) {
-      const auto worst = [&](size_t order) { return report.results[first + order].milliseconds.max; };
+      const auto worst = [&, first = first](size_t order) { return report.results[first + order].milliseconds.max; };
       table.rows.push_back({name, fmt::format("{0} x {0}", taps), milliseconds(worst(0)), milliseconds(worst(1)),
                             fmt::format("{:.1f} %", 100 * (1 - worst(1) / worst(0))), milliseconds(worst(2)),
                             fmt::format("{:.1f} %", 100 * (1 - worst(2) / worst(0)))});
