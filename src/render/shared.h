@@ -51,7 +51,8 @@ struct ClusterData {
   float longest_edge;  // of its triangles, mesh space
   uint first_listed;   // of its first visible instance; the others' follow, aligned
 };
-/// Instances' triangles begin at multiples of this in lists of a view's triangles, so that a word holds bits of one only.
+/// Instances' triangles begin at multiples of this in lists of a view's triangles, so that a word holds bits of one
+/// only.
 const uint listed_alignment = 8;
 
 const uint max_cull_planes = 10;

@@ -128,8 +128,9 @@ const std::vector<SpecKey>& all_keys() {
       number_key("lambda", "cascaded", 0, 1, "0.85", "where to split: lambda * logarithmic + (1 - lambda) * linear"),
       choice_key("splits", "cascaded", {"pssm", "sdsm"},
                  "what to split and fit to: what the camera's frustum holds, or this frame's surface points"),
-      choice_key("stable", "cascaded", {"0", "1"},
-                 "1: maps keep their size or take a step of it, and move by whole texels: a moving camera does not shimmer"),
+      choice_key(
+          "stable", "cascaded", {"0", "1"},
+          "1: maps keep their size or take a step of it, and move by whole texels: a moving camera does not shimmer"),
       whole_key("blur", "moments/pcf", 0, 16, "1", "moments are averaged over this many texels to each side"),
       number_key("bleeding", "moments", 0, 0.99, "0",
                  "light-bleeding reduction: the share of light that counts as none; hardens the shadow's edge"),

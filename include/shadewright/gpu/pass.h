@@ -50,8 +50,8 @@ class ComputePass {
  public:
   ComputePass() = default;
   ComputePass(const Device& device, std::span<const uint32_t> spirv, const std::vector<BindingKind>& kinds,
-              uint32_t push_bytes = 0, std::span<const vk::DescriptorSetLayout> sets = {},
-              uint32_t first_constant = 0, uint32_t second_constant = 0);
+              uint32_t push_bytes = 0, std::span<const vk::DescriptorSetLayout> sets = {}, uint32_t first_constant = 0,
+              uint32_t second_constant = 0);
 
   /// Binds, pushes and dispatches `groups` work groups. `push` must have the size given at construction.
   void dispatch(const vk::raii::CommandBuffer& commands, std::span<const Binding> bindings,

@@ -21,7 +21,8 @@ StorageTraits storage_traits(std::string_view storage) {
             true,
             false};
   if (storage == "triangle")
-    return {{sampled_image, sampled_image, sampled_image, sampled_image, uniform_buffer}, {"shadow-map"}, {}, false, false};
+    return {
+        {sampled_image, sampled_image, sampled_image, sampled_image, uniform_buffer}, {"shadow-map"}, {}, false, false};
   throw std::logic_error(fmt::format("storage '{}' has shaders but no class", storage));
 }
 
