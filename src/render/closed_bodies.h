@@ -4,11 +4,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "render/shared.h"
 #include "shadewright/scene/scene.h"
 
 namespace shadewright::render {
 
-inline constexpr uint32_t no_vertex = ~0u;
+using shared::no_vertex;
 
 struct MeshTopology {
   /// By triangle: 1 where it belongs to a connected component that is closed and oriented outwards, so that whoever is

@@ -38,6 +38,9 @@ struct VisibleInstance {
 // In VisibleInstance::first_triangle: the cluster bounds closed bodies, and the instance turns its triangles' winding.
 const uint body_closed = 0x80000000u, body_mirrored = 0x40000000u, first_triangle_mask = 0x3fffffffu;
 
+/// What lies across an edge where no triangle, or more than one, does.
+const uint no_vertex = 0xffffffffu;
+
 /// A few hundred neighbouring triangles of a mesh with their box in mesh space, and which instances show them.
 struct ClusterData {
   vec3 center;

@@ -21,8 +21,6 @@ layout(set = 0, binding = 8, scalar) writeonly buffer KeptIndices { uvec3 kept_i
 layout(set = 0, binding = 9, scalar) writeonly buffer KeptDraws { DrawCommand kept_draws[]; };
 layout(push_constant, scalar) uniform Push { SidesConstants constants; };
 
-const uint no_vertex = 0xffffffffu;
-
 vec3 world_position(VisibleInstance instance, uint vertex) {
   vec4 p = vec4(positions[vertex], 1.0);
   return vec3(dot(instance.world_from_mesh_rows[0], p), dot(instance.world_from_mesh_rows[1], p),

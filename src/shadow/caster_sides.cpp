@@ -8,19 +8,14 @@
 
 namespace shadewright::shadow {
 
-namespace {
-
-/// Of storage bindings on every device (the limit that Vulkan promises).
-constexpr uint64_t max_binding_bytes = uint64_t{1} << 27;
-
-}  // namespace
+static_assert(shared::listed_alignment % shared::sides_per_word == 0, "a word holds sides of one instance");
 
 CasterSides::CasterSides(const render::SceneGpu& scene, bool compacts, vk::DescriptorSetLayout lookup_layout)
     : scene_(scene) {
   const gpu::Device& device = scene.device();
   const uint64_t index_bytes = uint64_t{scene.listed_triangles()} * sizeof(glm::uvec3);
   sides_ = gpu::Buffer(device, "caster sides", scene.listed_triangles() / shared::sides_per_word * sizeof(uint32_t));
-  if (compacts && index_bytes <= max_binding_bytes) {
+  if (compacts && index_bytes <= gpu::max_binding_bytes) {
     kept_indices_ = gpu::Buffer(device, "caster indices", index_bytes);
     kept_draws_ = gpu::Buffer(device, "caster draws", scene.list_capacity() * sizeof(shared::DrawCommand));
   }

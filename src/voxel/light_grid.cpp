@@ -9,6 +9,10 @@ namespace {
 /// Snapping moves a vertex by up to 1/512 texel, and a plane by as much; float positions of far points take the rest.
 constexpr double kSlack = 1.0 / 32;
 constexpr double kGrazing = 0.1;  ///< the cosine below which a distant receiver moves no farther
+
+double facing(const glm::dvec3& normal, const glm::dvec3& towards_light) {
+  return std::max(std::abs(glm::dot(normal, towards_light)), kGrazing);
+}
 }  // namespace
 
 glm::dvec3 LightGrid::position() const {
@@ -54,8 +58,7 @@ glm::dvec3 LightGrid::towards_light(const glm::dvec3& world) const {
 
 glm::dvec2 LightGrid::plane_slope(const glm::dvec3& world, const glm::dvec3& normal) const {
   const glm::dvec3 extent = voxel_extent(world), n = light_from_world * normal;
-  const double facing = std::max(std::abs(glm::dot(normal, towards_light(world))), kGrazing);
-  return glm::dvec2(n) * glm::dvec2(extent) / (facing * extent.z);
+  return glm::dvec2(n) * glm::dvec2(extent) / (facing(normal, towards_light(world)) * extent.z);
 }
 
 glm::ivec3 LightGrid::clear_node(const glm::dvec3& at, const glm::dvec2& slope, uint32_t height) {
@@ -69,7 +72,7 @@ glm::ivec3 LightGrid::clear_node(const glm::dvec3& at, const glm::dvec2& slope, 
 glm::dvec3 LightGrid::distant_receiver(const glm::dvec3& world, const glm::dvec3& normal, double half_width) const {
   const glm::dvec3 extent = voxel_extent(world), n = glm::abs(light_from_world * normal), light = towards_light(world);
   const double across = (half_width + kSlack) * (extent.x * n.x + extent.y * n.y);
-  return world + light * (across / std::max(std::abs(glm::dot(normal, light)), kGrazing));
+  return world + light * (across / facing(normal, light));
 }
 
 LightGrid LightGrid::moved(const glm::dvec3& by) const {

@@ -16,6 +16,9 @@ namespace shadewright::gpu {
 
 enum class HostAccess { none, write, read };
 
+/// What one storage binding holds on every device (the limit that Vulkan promises).
+inline constexpr uint64_t max_binding_bytes = uint64_t{1} << 27;
+
 /// A buffer with memory of its own. Storage, transfer, vertex, index, indirect, uniform and address use are always
 /// allowed.
 class Buffer {

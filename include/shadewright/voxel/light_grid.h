@@ -53,7 +53,8 @@ struct LightGrid {
   /// grazing light, a cosine below 0.1, no more than there).
   glm::dvec2 plane_slope(const glm::dvec3& world, const glm::dvec3& normal) const;
   /// The last node of side 2^height in the column of `at` (voxel coordinates) that ends before a plane through `at`
-  /// comes nearest in that column: what a receiver looks up that is not to shade itself. z may be negative: before all.
+  /// comes nearest in that column, in nodes: what a receiver looks up (VOAA, section 5) that is not to shade itself,
+  /// where the paper moves it by half a node. z may be negative: before all.
   static glm::ivec3 clear_node(const glm::dvec3& at, const glm::dvec2& slope, uint32_t height);
   /// The same in a world that was moved by `by`.
   LightGrid moved(const glm::dvec3& by) const;

@@ -25,8 +25,8 @@ namespace shadewright::shadow {
 
 namespace {
 
-/// Words of a storage window: 128 MB, what every device binds at once.
-constexpr uint64_t window_words = uint64_t{1} << 25;
+/// Words of a storage window.
+constexpr uint64_t window_words = gpu::max_binding_bytes / sizeof(uint32_t);
 constexpr uint32_t max_windows = 4, image_width = 16384;
 
 /// The bits of precomputed.glsl's specialization constant, beside the taps.

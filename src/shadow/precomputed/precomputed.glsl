@@ -249,17 +249,24 @@ bool receiver_voxel(vec3 world, vec3 normal, out ivec3 voxel) {
   return voxel_at(px + nx * offset, py + ny * offset, pz + nz * offset, voxel);
 }
 
+vec3 towards_light(vec3 world) {
+  return lookup.light_kind == light_spot ? normalize(lookup.light_position - world) : -lookup.light_direction;
+}
+
+// The cosine between a distant receiver's normal and the light, but for grazing ones.
+float facing_light(vec3 world, vec3 normal) { return max(abs(dot(normal, towards_light(world))), grazing); }
+
 // The voxel of a receiver whose pixel covers many texels, for a look-up that reaches `half_width` voxels along x and y and
 // `half_depth` along z. It moves towards the light, out of the filter's reach of its own plane: along the normal, as near
 // receivers do, so wide an offset would move the shadow's edge by half a pixel.
 bool distant_voxel(vec3 world, vec3 normal, real half_width, real half_depth, out ivec3 voxel) {
   real px = world.x - rows.origin.x, py = world.y - rows.origin.y, pz = world.z - rows.origin.z;
-  vec3 to_light = lookup.light_kind == light_spot ? normalize(lookup.light_position - world) : -lookup.light_direction;
+  vec3 to_light = towards_light(world);
   real4 lx = rows.light[0], ly = rows.light[1];
   real w = spot_distance(px, py, pz);
   real across = abs(lx.x * normal.x + lx.y * normal.y + lx.z * normal.z) * rows.reach_x +
                 abs(ly.x * normal.x + ly.y * normal.y + ly.z * normal.z) * rows.reach_y;
-  real offset = half_width * across * w / real(max(abs(dot(normal, to_light)), grazing)) + half_depth * rows.reach_z * w * w;
+  real offset = half_width * across * w / real(facing_light(world, normal)) + half_depth * rows.reach_z * w * w;
   return voxel_at(px + to_light.x * offset, py + to_light.y * offset, pz + to_light.z * offset, voxel);
 }
 
@@ -284,11 +291,9 @@ float receiver_footprint(vec3 world, vec3 normal) {
 // How deep the receiver's plane falls from column to column: voxels of depth a voxel along x and y.
 vec2 plane_slope(vec3 world, vec3 normal) {
   real px = world.x - rows.origin.x, py = world.y - rows.origin.y, pz = world.z - rows.origin.z;
-  vec3 to_light = lookup.light_kind == light_spot ? normalize(lookup.light_position - world) : -lookup.light_direction;
   real4 lx = rows.light[0], ly = rows.light[1];
   vec2 n = vec2(lx.x * normal.x + lx.y * normal.y + lx.z * normal.z, ly.x * normal.x + ly.y * normal.y + ly.z * normal.z);
-  float facing = max(abs(dot(normal, to_light)), grazing);
-  return n * vec2(rows.reach_x, rows.reach_y) / (facing * float(rows.reach_z * spot_distance(px, py, pz)));
+  return n * vec2(rows.reach_x, rows.reach_y) / (facing_light(world, normal) * float(rows.reach_z * spot_distance(px, py, pz)));
 }
 
 // The occupancy of the last node of side 2^height in the receiver's column that ends before the receiver's plane: LightGrid::clear_node.

@@ -6,8 +6,7 @@
 // splits=pssm  the range to split runs from the nearest to the farthest receiver, each slice is fitted as by uniform
 // splits=sdsm  range and slices are fitted to the visible surface points, reduced on the device and read back
 // stable=1     maps move by whole texels, so that a moving camera does not shimmer; their size is that of a sphere
-// around
-//              the slice, or of the receivers in it, in steps, where that is less
+//              around the slice, or of the receivers in it, in steps, where that is less
 // What differs from the papers: a receiver takes the first cascade that holds it, not that of its slice; all cascades
 // share one depth range, so that only its place across the light decides.
 #pragma once

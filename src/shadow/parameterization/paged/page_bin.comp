@@ -124,8 +124,6 @@ void bin(MapTriangle t, uint triangle, uint side, PageCluster part) {
 }
 
 #ifdef PAIR_SIDES
-const uint no_vertex = 0xffffffffu;
-
 uint triangle_side(vec3 world[3], uvec3 across, bool closed, bool facing, mat4x3 world_from_mesh) {
   uint side = closed ? triangle_averted : 0;
   for (int e = 0; e < 3; ++e) {

@@ -32,7 +32,7 @@ constexpr uint32_t epochs = 1u << 11;  // the table's entries tell so many apart
 
 /// 32-bit words of a bit a page.
 uint32_t words_of(uint32_t top) {
-  return first_page_number(top + 1) / 32;
+  return shared::page_base(top + 1) / 32;
 }
 
 /// Receivers' bounds with the same width on both axes of the map, so that texels are square.

@@ -29,7 +29,6 @@ namespace {
 constexpr uint64_t pairs_per_triangle = 4, pairs_at_least = 1u << 18, pairs_at_most = 3u << 19;
 constexpr uint64_t triangles_at_least = 1u << 16, triangles_at_most = 1u << 19;
 constexpr uint32_t rounds = 8;
-constexpr uint64_t max_buffer_bytes = 128u << 20;
 
 }  // namespace
 
@@ -91,7 +90,8 @@ void PagedCasterDraws::prepare(const Frame& frame, uint32_t, std::span<const Map
   if (!frame.scene || scene_ == frame.scene) return;
   scene_ = frame.scene;
   const uint64_t faces = six_faces_ ? 6 : 1;
-  const uint64_t clusters = std::min(scene_->list_capacity() * faces, max_buffer_bytes / sizeof(shared::PageCluster));
+  const uint64_t clusters =
+      std::min(scene_->list_capacity() * faces, gpu::max_binding_bytes / sizeof(shared::PageCluster));
   const uint64_t pairs = std::clamp(scene_->triangle_count() * pairs_per_triangle, pairs_at_least, pairs_at_most);
   const uint64_t triangles = std::clamp(scene_->triangle_count() * faces, triangles_at_least, triangles_at_most);
   constants_.cluster_count = scene_->cluster_count();

@@ -14,6 +14,13 @@ namespace shadewright::compare {
 class PagedTest : public gpu::DeviceTest {
  protected:
   static StudyOptions small() { return {384, 384, 0, 0, true}; }
+  /// A light a little above what the scene's first camera looks at.
+  static Light lamp(const Scene& scene, LightKind kind) {
+    Light lamp;
+    lamp.position = scene.cameras.front().target + glm::dvec3(0.3, 1.1, 0.2);
+    lamp.kind = kind;
+    return lamp;
+  }
   static TechniqueResult run(Study& study, const std::string& spec) {
     return study.run(shadow::parse_spec(spec)).result;
   }

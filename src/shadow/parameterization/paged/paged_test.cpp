@@ -105,11 +105,8 @@ TEST_F(PagedTest, ACoarserAnalysisMissesLittle) {
 
 TEST_F(PagedTest, ServesSpotAndPointLights) {
   const Scene scene = make_builtin("sandbox");
-  Light lamp;
-  lamp.position = scene.cameras.front().target + glm::dvec3(0.3, 1.1, 0.2);
   for (const LightKind kind : {LightKind::spot, LightKind::point}) {
-    lamp.kind = kind;
-    Study study(device(), scene, scene.cameras.front(), lamp, small());
+    Study study(device(), scene, scene.cameras.front(), lamp(scene, kind), small());
     for (const char* spec : {"paged/depth/hard@8192,statistics=on", "rmsm@8192,statistics=on",
                              "paged/subpixel/hard@8192,pool=2048,statistics=on"}) {
       const TechniqueResult result = run(study, spec);

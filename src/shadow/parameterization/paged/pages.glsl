@@ -13,19 +13,7 @@ uint z_curve_spread(uint x) {
   x = (x | x << 2) & 0x33333333u;
   return (x | x << 1) & 0x55555555u;
 }
-uint z_curve_gather(uint x) {
-  x &= 0x55555555u;
-  x = (x | x >> 1) & 0x33333333u;
-  x = (x | x >> 2) & 0x0f0f0f0fu;
-  x = (x | x >> 4) & 0x00ff00ffu;
-  return (x | x >> 8) & 0x0000ffffu;
-}
 uint z_curve(uvec2 page) { return z_curve_spread(page.x) | z_curve_spread(page.y) << 1; }
-uvec2 z_curve_place(uint index) { return uvec2(z_curve_gather(index), z_curve_gather(index >> 1)); }
-
-// Number of the first page of the level with 4^k pages. Levels of less than 32 pages have a word each, so that no word has pages
-// of two levels.
-uint page_base(uint k) { return k < 3u ? 32u * k : 96u + ((1u << 2u * k) - 64u) / 3u; }
 
 // Levels of less than 32 pages are no blocks.
 bool has_blocks(uint level) { return paged.top - level >= 3; }

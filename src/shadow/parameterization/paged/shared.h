@@ -14,6 +14,34 @@ const uint page_texels = 32, max_page_levels = 13;
 const uint block_pages = 32;  // 8 x 4 pages: a word of a bitmask
 const uint superpage_texels = 1024;
 
+#ifdef __cplusplus
+#define SHADEWRIGHT_SHARED inline
+#else
+#define SHADEWRIGHT_SHARED
+#endif
+
+/// Every second bit of x, from the lowest on.
+SHADEWRIGHT_SHARED uint z_curve_gather(uint x) {
+  x &= 0x55555555u;
+  x = (x | x >> 1) & 0x33333333u;
+  x = (x | x >> 2) & 0x0f0f0f0fu;
+  x = (x | x >> 4) & 0x00ff00ffu;
+  return (x | x >> 8) & 0x0000ffffu;
+}
+
+/// The place of a level's page by its number.
+SHADEWRIGHT_SHARED uvec2 z_curve_place(uint number) {
+  return uvec2(z_curve_gather(number), z_curve_gather(number >> 1));
+}
+
+/// Number of the first page of the level with 4^k pages. Levels of less than 32 pages have a word each, so that no word
+/// has pages of two levels.
+SHADEWRIGHT_SHARED uint page_base(uint k) {
+  return k < 3u ? 32u * k : 96u + ((1u << 2u * k) - 64u) / 3u;
+}
+
+#undef SHADEWRIGHT_SHARED
+
 const uint lod_area = 0, lod_box = 1, lod_axis = 2, lod_bounded = 3;
 
 /// What stays the same during a frame. Level 0 is the finest; level `top` has one page.

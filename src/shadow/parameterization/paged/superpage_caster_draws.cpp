@@ -15,7 +15,7 @@ namespace shadewright::shadow {
 
 namespace {
 
-constexpr uint64_t max_batch = 16, max_buffer_bytes = 128u << 20;
+constexpr uint64_t max_batch = 16;
 constexpr uint32_t least_batches = 16;
 
 /// The part of a face's view that a superpage shows.
@@ -70,7 +70,7 @@ void SuperpageCasterDraws::reserve(const render::SceneGpu& scene, size_t superpa
   const bool known = scene_ == &scene;
   if (!known) {
     const uint64_t bytes_of_view = std::max<uint64_t>(1, scene.list_capacity() * sizeof(shared::VisibleInstance));
-    batch_size_ = static_cast<uint32_t>(std::clamp<uint64_t>(max_buffer_bytes / bytes_of_view, 1, max_batch));
+    batch_size_ = static_cast<uint32_t>(std::clamp<uint64_t>(gpu::max_binding_bytes / bytes_of_view, 1, max_batch));
   }
   const uint32_t batches = gpu::groups(static_cast<uint32_t>(superpages), batch_size_);
   if (known && batches <= batches_) return;
@@ -123,8 +123,7 @@ void SuperpageCasterDraws::before(const vk::raii::CommandBuffer& commands, const
   commands.setViewport(0, vk::Viewport(0, 0, side, side, 0, 1));
   commands.setScissor(0, rendering.renderArea);
   if (frame.scene) {
-    const Superpage& superpage = paged_.superpages()[index];
-    const shared::SuperpagePlace place{superpage.face, superpage.level, superpage.first_page};
+    const shared::SuperpagePlace& place = paged_.superpages()[index];
     casters_pass_.bind(commands, {}, gpu::bytes_of(place), std::span(&lookup_set, 1));
     culled_->draw(commands, index % batch_size_);
   }
@@ -136,13 +135,12 @@ void SuperpageCasterDraws::draw(const vk::raii::CommandBuffer& commands, const F
                                 vk::DescriptorSet lookup_set) const {
   using gpu::Binding;
   const Superpage& superpage = paged_.superpages()[index];
-  const shared::SuperpagePlace place{superpage.face, superpage.level, superpage.first_page};
   const auto side = static_cast<float>(paged_.pool_texels());
   commands.setViewport(0, vk::Viewport(0, 0, side, side, 0, 1));
   commands.setScissor(0, targets_[index].viewport);
   copy_pass_.bind(
       commands, std::array{Binding::storage(paged_.superpage_pages()), Binding::sampled(superpage_->view(), *sampler_)},
-      gpu::bytes_of(place), std::span(&lookup_set, 1));
+      gpu::bytes_of<shared::SuperpagePlace>(superpage), std::span(&lookup_set, 1));
   commands.draw(6 * superpage.page_count, 1, 6 * superpage.first, 0);
 }
 

@@ -2,8 +2,6 @@
 
 #include <bit>
 
-#include "shadow/parameterization/paged/shared.h"
-
 namespace shadewright::shadow {
 
 namespace {
@@ -11,24 +9,7 @@ namespace {
 constexpr uint32_t superpage_pages =
     (shared::superpage_texels / shared::page_texels) * (shared::superpage_texels / shared::page_texels);
 
-/// Every second bit of x, from the lowest on.
-uint32_t every_second_bit(uint32_t x) {
-  x &= 0x55555555u;
-  x = (x | x >> 1) & 0x33333333u;
-  x = (x | x >> 2) & 0x0f0f0f0fu;
-  x = (x | x >> 4) & 0x00ff00ffu;
-  return (x | x >> 8) & 0x0000ffffu;
-}
-
 }  // namespace
-
-uint32_t first_page_number(uint32_t k) {
-  return k < 3 ? 32 * k : 96 + ((1u << 2 * k) - 64) / 3;
-}
-
-glm::uvec2 page_place(uint32_t number) {
-  return {every_second_bit(number), every_second_bit(number >> 1)};
-}
 
 void bin_superpages(std::span<const uint32_t> mask, uint32_t words_of_face, uint32_t top, std::span<uint32_t> pages,
                     std::vector<Superpage>& superpages) {
@@ -38,10 +19,11 @@ void bin_superpages(std::span<const uint32_t> mask, uint32_t words_of_face, uint
     if (mask[word] == 0) continue;
     const uint32_t face = word / words_of_face, first_number = word % words_of_face * 32;
     uint32_t k = 0;
-    while (first_page_number(k + 1) <= first_number) ++k;
+    while (shared::page_base(k + 1) <= first_number) ++k;
     // No word has pages of two superpages.
-    const uint32_t within_level = first_number - first_page_number(k);
-    const Superpage here{face, top - k, page_place(within_level / superpage_pages * superpage_pages), listed, 0};
+    const uint32_t within_level = first_number - shared::page_base(k);
+    const Superpage here{
+        {face, top - k, shared::z_curve_place(within_level / superpage_pages * superpage_pages)}, listed, 0};
     if (superpages.empty() || superpages.back().face != here.face || superpages.back().level != here.level ||
         superpages.back().first_page != here.first_page)
       superpages.push_back(here);

@@ -3,22 +3,16 @@
 #pragma once
 
 #include <cstdint>
-#include <glm/glm.hpp>
 #include <span>
 #include <vector>
 
+#include "shadow/parameterization/paged/shared.h"
+
 namespace shadewright::shadow {
 
-struct Superpage {
-  uint32_t face = 0, level = 0;
-  glm::uvec2 first_page{0};            ///< of its level, at its corner
+struct Superpage : shared::SuperpagePlace {
   uint32_t first = 0, page_count = 0;  ///< its pages' place in the list
-  bool operator==(const Superpage&) const = default;
 };
-
-/// Number of the first page of the level with 4^k pages, and the place of a level's page by its number (pages.glsl).
-uint32_t first_page_number(uint32_t k);
-glm::uvec2 page_place(uint32_t number);
 
 /// Fills `superpages` with those that hold a page of `mask` (a bit a page, `words_of_face` words a face, whose coarsest
 /// level is `top`), and `pages` with their pages' numbers. Pages are numbered so that a superpage's follow each other:

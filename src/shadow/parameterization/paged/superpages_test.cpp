@@ -13,14 +13,14 @@ namespace shadewright::compare {
 namespace {
 
 using shadow::bin_superpages;
-using shadow::first_page_number;
-using shadow::page_place;
 using shadow::Superpage;
+using shared::page_base;
+using shared::z_curve_place;
 
 /// Every page of the mask is in the superpage of its face, level and place, once; superpages have no other pages.
 TEST(SuperpagesTest, HoldThePagesOfAMask) {
   constexpr uint32_t top = 7, faces = 2;  // levels of 128 x 128 pages down to one
-  const uint32_t words = first_page_number(top + 1) / 32;
+  const uint32_t words = page_base(top + 1) / 32;
   std::mt19937 random(5);
   std::vector<uint32_t> mask(words * faces, 0), pages(1000);
   std::set<uint32_t> expected;
@@ -33,7 +33,7 @@ TEST(SuperpagesTest, HoldThePagesOfAMask) {
   const auto below = [&](uint32_t end) { return std::uniform_int_distribution<uint32_t>(0, end - 1)(random); };
   for (int i = 0; i < 500; ++i) {
     const uint32_t k = 3 + below(top - 2), face = below(faces);
-    add(face * words * 32 + first_page_number(k) + below(1u << 2 * k));
+    add(face * words * 32 + page_base(k) + below(1u << 2 * k));
   }
   std::vector<Superpage> superpages;
   bin_superpages(mask, words, top, pages, superpages);
@@ -48,10 +48,10 @@ TEST(SuperpagesTest, HoldThePagesOfAMask) {
     EXPECT_EQ(superpage.first, listed);
     EXPECT_GT(superpage.page_count, 0u);
     for (; listed < superpage.first + superpage.page_count; ++listed) {
-      const uint32_t page = pages[listed], number = page % (words * 32) - first_page_number(top - superpage.level);
+      const uint32_t page = pages[listed], number = page % (words * 32) - page_base(top - superpage.level);
       EXPECT_EQ(page / (words * 32), superpage.face);
       EXPECT_LT(number, 1u << 2 * (top - superpage.level));
-      EXPECT_EQ(page_place(number) / 32u * 32u, superpage.first_page);
+      EXPECT_EQ(z_curve_place(number) / 32u * 32u, superpage.first_page);
       found.insert(page);
     }
   }
@@ -61,7 +61,7 @@ TEST(SuperpagesTest, HoldThePagesOfAMask) {
 TEST(SuperpagesTest, AnEmptyMaskHasNone) {
   std::vector<Superpage> superpages{{}};
   std::vector<uint32_t> pages(32);
-  bin_superpages(std::vector<uint32_t>(first_page_number(6) / 32, 0), first_page_number(6) / 32, 5, pages, superpages);
+  bin_superpages(std::vector<uint32_t>(page_base(6) / 32, 0), page_base(6) / 32, 5, pages, superpages);
   EXPECT_TRUE(superpages.empty());
 }
 
@@ -102,11 +102,8 @@ TEST_F(SuperpageDrawsTest, ShowWhatPagesDrawnStraightIntoThePoolDo) {
 
 TEST_F(SuperpageDrawsTest, ServeSpotAndPointLights) {
   const Scene scene = make_builtin("sandbox");
-  Light lamp;
-  lamp.position = scene.cameras.front().target + glm::dvec3(0.3, 1.1, 0.2);
   for (const LightKind kind : {LightKind::spot, LightKind::point}) {
-    lamp.kind = kind;
-    Study study(device(), scene, scene.cameras.front(), lamp, small());
+    Study study(device(), scene, scene.cameras.front(), lamp(scene, kind), small());
     const TechniqueResult pages = run(study, "paged/depth/hard@8192"),
                           superpages = run(study, "paged/depth/hard@8192,draw=superpages");
     EXPECT_EQ(counter(superpages, "unique_requests"), counter(pages, "unique_requests"));
