@@ -1,15 +1,19 @@
 // aa: the storage's own anti-aliasing (SPSM section 4.3). The shadow's border that one look-up found answers for all places of the
 // pixel's footprint on the receiver's plane; a footprint beyond the texels that it looked at is looked up place by place.
+// Where a border passes alone, what is on which side of one half is then decided by the pixel's middle, as `hard` decides it. Among leaves
+// farther away than that, the pixel's larger part differs from its middle in truth too: there a filter is "wrong" where `hard` is right.
 #define FILTER_FOOTPRINT 1
 #define FILTER_DEFERS 1
 
 // How far a step of one pixel moves the receiver over its plane, world space: the caller's business.
 vec3 filter_step_x, filter_step_y;
 
-const uint aa_count = 8;
-const vec2 aa_places[aa_count] = vec2[aa_count](  // eight that share neither row nor column, in pixels
-    vec2(0.0625, -0.1875), vec2(-0.0625, 0.1875), vec2(0.3125, 0.0625), vec2(-0.1875, -0.3125), vec2(-0.3125, 0.3125),
-    vec2(-0.4375, -0.0625), vec2(0.1875, 0.4375), vec2(0.4375, -0.4375));
+const uint aa_count = 9;
+// In pixels. They share neither row nor column, and lie in pairs around the middle one: of any straight border the middle is then on the
+// side of most of them, as it is on the larger side of the footprint.
+const vec2 aa_places[aa_count] = vec2[aa_count](vec2(0.0), vec2(1.0, 3.0) / 9.0, vec2(-1.0, -3.0) / 9.0, vec2(3.0, -1.0) / 9.0,
+                                                vec2(-3.0, 1.0) / 9.0, vec2(2.0, -4.0) / 9.0, vec2(-2.0, 4.0) / 9.0, vec2(4.0, 2.0) / 9.0,
+                                                vec2(-4.0, -2.0) / 9.0);
 
 struct Footprint {
   vec2 step_x, step_y;  // of the pixel on the map, texels
@@ -25,12 +29,14 @@ bool footprint_at(MapPoint p, vec3 world, vec4 plane, out Footprint f) {
   return x.layer == p.layer && y.layer == p.layer && f.reach < 1.0;
 }
 
-// The footprint's lit share, if its middle is `visible` and the shadow's border passes at `border`, texels from it.
+// The footprint's lit share, if its middle is `visible` and the shadow's border passes at `border`, texels from it: a parallelogram cut by
+// a line. Where the line passes through the middle, that keeps its side.
 float footprint_visible(Footprint f, float visible, vec2 border) {
-  float squared = dot(border, border), beyond = 0.0;
-  for (uint i = 0; i < aa_count; ++i)
-    if (dot(aa_places[i].x * f.step_x + aa_places[i].y * f.step_y, border) > squared) beyond += 1.0 / float(aa_count);
-  return visible == 1.0 ? 1.0 - beyond : beyond;
+  float away = length(border), a = abs(dot(f.step_x, border)), b = abs(dot(f.step_y, border));
+  float wide = max(a, b) / max(away, 1e-9), narrow = min(a, b) / max(away, 1e-9);
+  float corner = max(0.5 * (wide + narrow) - away, 0.0);  // how far the farthest one is beyond
+  float beyond = corner < narrow ? 0.5 * corner * corner / (wide * narrow) : 0.5 - away / wide;
+  return visible == 1.0 ? 1.0 - beyond : min(beyond, 127.0 / 255.0);
 }
 
 // In two passes: what one texel tells, and where that is not enough (false), the rest.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <random>
+#include <set>
 
 #include "gpu/device_for_test.h"
 #include "shadow/view_for_test.h"
@@ -151,6 +152,29 @@ TEST_F(SubpixelTest, ShadowsGrowMonotonicallyAsTheLightSweeps) {
     EXPECT_GT(first, 100u);
     EXPECT_GE(steps, 22u);
   }
+}
+
+/// Where a pixel is smaller than a texel, smoothing keeps it on the side of one half that its middle is on, and tells
+/// how much of the pixel the shadow covers in finer steps than a few samples would.
+TEST_F(SubpixelTest, SmoothingKeepsTheSideOfAPixelsMiddle) {
+  const Scene scene = scene_of({box({-6, -0.2f, -6}, {6, 0, 6}), box({-8, 1, -0.5f}, {0.013f, 1.2f, 0.517f}),
+                                box({-0.9f, 0.4f, -3}, {-0.6f, 0.5f, 3})});
+  Camera camera;
+  camera.eye = {0.7, 2.1, 2.4};
+  camera.target = {0.2, 0, 0};
+  ViewForTest view(device(), scene, camera, width, height);
+  view.frame().light = sun(35, 52);
+  const auto hard = view.look_up(*make(device(), "spsm@64,fit=scene"));
+  const auto smooth = view.look_up(*make(device(), "uniform/subpixel/aa@64,fit=scene"));
+  std::set<std::byte> levels;
+  size_t shadowed = 0;
+  for (size_t i = 0; i < hard.size(); ++i) {
+    EXPECT_EQ(smooth[i] >= std::byte{128}, hard[i] != std::byte{0}) << "pixel " << i % width << ", " << i / width;
+    shadowed += hard[i] == std::byte{0};
+    levels.insert(smooth[i]);
+  }
+  EXPECT_GT(shadowed, 500u);
+  EXPECT_GT(levels.size(), 100u);
 }
 
 }  // namespace
