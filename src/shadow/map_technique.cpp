@@ -59,10 +59,6 @@ MapTechnique::MapTechnique(const gpu::Device& device, const Spec& spec, const Te
   }
   if (auto names = storage_traits(spec.storage).decisions; !names.empty())
     decisions_.emplace(device, std::move(names), options.frames_in_flight);
-  if (storage_traits(spec.storage).defers)
-    deferred_ =
-        gpu::Buffer(device, "deferred receivers",
-                    sizeof(shared::DeferredReceivers) + uint64_t{options.width} * options.height * sizeof(uint32_t));
   // Views, constants, the storage's resources and the parameterization's: see map_point.glsl and the modules' GLSL.
   using enum gpu::BindingKind;
   const LookupSets::Part parts[] = {{0, {storage_buffer, uniform_buffer}},
@@ -88,16 +84,10 @@ void MapTechnique::build_for(LightKind light) {
   draws_ = parameterization_->make_caster_draws(light, options_.frames_in_flight);
   storage_ = make_storage(device_, {spec_, parameterization_->map_extent(light), *draws_, lookup_sets_.layout()});
   using enum gpu::BindingKind;
-  const vk::DescriptorSetLayout lookup_layout = lookup_sets_.layout();
   std::vector kinds{uniform_buffer, sampled_image, sampled_image, storage_image};
   if (decisions_) kinds.push_back(storage_buffer);
-  if (deferred_) kinds.push_back(storage_buffer);
-  const auto pass = [&](bool second) {
-    return gpu::ComputePass(device_, lookup_shader(spec_.parameterization + "/" + spec_.storage + "/" + spec_.filter),
-                            kinds, 0, std::span(&lookup_layout, 1), light == LightKind::point, second);
-  };
-  lookup_ = pass(false);
-  if (deferred_) deferred_lookup_ = pass(true);
+  lookup_ = LookupPasses(device_, spec_, {options_.width, options_.height}, std::move(kinds), lookup_sets_.layout(),
+                         light == LightKind::point);
   built_for_ = light;
   write_lookup_sets();
 }
@@ -163,18 +153,7 @@ void MapTechnique::record(const Frame& frame, gpu::Recorder& recorder) {
       decisions_->clear(commands);
       bindings.push_back(decisions_->binding());
     }
-    if (deferred_) {
-      const shared::DeferredReceivers none{{0, 1, 1}, 0};
-      commands.updateBuffer<shared::DeferredReceivers>(deferred_.handle(), 0, none);
-      gpu::memory_barrier(commands);
-      bindings.push_back(gpu::Binding::storage(deferred_));
-    }
-    lookup_.dispatch(commands, bindings, {}, {gpu::groups(options_.width, 8), gpu::groups(options_.height, 8), 1},
-                     std::span(&last_.set, 1));
-    if (deferred_) {
-      gpu::memory_barrier(commands);
-      deferred_lookup_.dispatch_indirect(commands, bindings, {}, deferred_, 0, std::span(&last_.set, 1));
-    }
+    lookup_.record(commands, std::move(bindings), last_.set);
     visibility_.transition(commands, vk::ImageLayout::eShaderReadOnlyOptimal);
     if (decisions_) decisions_->take(commands, slot(frame));
   });
@@ -191,7 +170,7 @@ std::vector<Allocation> MapTechnique::allocations() const {
   }
   append(parameterization_->allocations());
   if (decisions_) append(decisions_->allocations());
-  if (deferred_) result.push_back(deferred_.allocation());
+  append(lookup_.allocations());
   for (const auto* buffers : {&cameras_, &views_, &lookups_})
     for (const auto& buffer : *buffers) result.push_back(buffer.allocation());
   return result;

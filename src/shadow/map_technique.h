@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "shadow/decisions.h"
+#include "shadow/lookup_passes.h"
 #include "shadow/lookup_sets.h"
 #include "shadow/parameterization/parameterization.h"
 #include "shadow/storage/storage.h"
@@ -50,10 +51,9 @@ class MapTechnique final : public Technique {
   std::unique_ptr<CasterDraws> draws_;
   std::unique_ptr<Storage> storage_;
   std::optional<LightKind> built_for_;
-  gpu::ComputePass lookup_, deferred_lookup_;  ///< the second only where the storage defers
-  gpu::Buffer deferred_;                       ///< DeferredReceivers and their pixels
-  std::optional<Decisions> decisions_;         ///< where the storage's look-up tells
-  ReceiverLookup last_;                        ///< of the last prepared frame
+  LookupPasses lookup_;
+  std::optional<Decisions> decisions_;  ///< where the storage's look-up tells
+  ReceiverLookup last_;                 ///< of the last prepared frame
 };
 
 }  // namespace shadewright::shadow

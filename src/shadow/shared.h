@@ -33,12 +33,12 @@ struct LookupData {
   float light_bleeding;  // of moments: the share of light that counts as none
 };
 
-/// The receivers whose answer a look-up puts off to a second pass. Their pixels follow, x and y in 16 bits each.
+/// The receivers whose answer a look-up puts off to a further pass. Their pixels follow, x and y in 16 bits each.
 struct DeferredReceivers {
   uvec3 groups;  // of that pass
   uint count;
 };
-const uint deferred_group = 64;
+const uint deferred_group = 64, max_lookup_passes = 3;
 
 /// Of caster_sides.comp: four bits a triangle, three of silhouette edges below this one.
 const uint side_drawn = 8, sides_per_word = 8;

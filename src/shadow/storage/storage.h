@@ -39,7 +39,7 @@ struct StorageTraits {
   std::vector<gpu::BindingKind> lookup_kinds;  ///< of what its GLSL module reads
   std::vector<std::string> debug_names;
   std::vector<std::string> decisions = {};  ///< how its look-up may come to an answer; empty where it does not tell
-  bool defers = false;  ///< its look-up puts some receivers off to a second pass (STORAGE_DEFERS in its GLSL module)
+  bool in_passes = false;  ///< its look-up tells more and more at a growing price (STORAGE_PASSES in its GLSL module)
   bool takes_callbacks = true;  ///< casters may be drawn by the caller's own pipeline
 };
 StorageTraits storage_traits(std::string_view storage);

@@ -3,7 +3,8 @@
 // Where a border passes alone, what is on which side of one half is then decided by the pixel's middle, as `hard` decides it. Among leaves
 // farther away than that, the pixel's larger part differs from its middle in truth too: there a filter is "wrong" where `hard` is right.
 #define FILTER_FOOTPRINT 1
-#define FILTER_DEFERS 1
+#define FILTER_PASSES 2
+#include "shadow/filter/passes.glsl"
 
 // How far a step of one pixel moves the receiver over its plane, world space: the caller's business.
 vec3 filter_step_x, filter_step_y;
@@ -62,7 +63,8 @@ float filter_deferred(vec3 world, vec4 plane) {
   return at_once ? footprint_visible(f, lit, storage_border(p, lit)) : lit / float(aa_count);
 }
 
-float filter_visible(vec3 world, vec4 plane) {
-  float visible;
-  return filter_quick(world, plane, visible) ? visible : filter_deferred(world, plane);
+uint filter_pass(uint pass, vec3 world, vec4 plane, out float visible) {
+  if (pass == 0) return filter_quick(world, plane, visible) ? filter_done : 1;
+  visible = filter_deferred(world, plane);
+  return filter_done;
 }

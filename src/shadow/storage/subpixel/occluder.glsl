@@ -5,7 +5,7 @@
 
 layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 2) uniform usampler2DArray subpixel_map;
 layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 3) uniform sampler2DArray subpixel_minimum;  // consistent minimum depth
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 4, scalar) readonly buffer SubpixelTable { SubpixelTables subpixel_tables; };
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 4, scalar) uniform SubpixelSlopeTable { SubpixelSlopes subpixel_slopes; };
 layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 5, scalar) uniform SubpixelConstant { SubpixelConstants subpixel; };
 
 struct Occluder {
@@ -31,7 +31,7 @@ Occluder occluder_at(ivec3 address, vec2 centre, float minimum, MapPoint p) {
   o.centre = centre;
   o.averted = (texel.b >> 31) != 0;
   if (o.large) code_x = (texel.r >> 28) | ((texel.g >> 28) << 4) | (((texel.b >> 28) & 7) << 8);
-  SlopeEntry x = subpixel_tables.slopes[code_x], y = subpixel_tables.slopes[code_y];
+  SlopeEntry x = subpixel_slopes.slopes[code_x], y = subpixel_slopes.slopes[code_y];
   float unit = map_slope_unit(p);
   float reach = depth_reach(x, y) * unit;
   float depth = coding.absolute_depth != 0 ? float(texel.a & 0xffffu) / 65535.0

@@ -37,14 +37,16 @@ struct SlopeEntry {
   float error;
 };
 
-/// What drawing and look-up of a sub-pixel shadow map read besides the map. The constants come in a uniform buffer,
-/// which a CPU device reads once for several invocations.
+/// What drawing and look-up of a sub-pixel shadow map read besides the map. What is not large comes in uniform buffers,
+/// which a CPU device reads faster.
 struct SubpixelConstants {
   SlopeCoding coding;
   uint recovery;  // of receivers that no triangle covers: one of the three below
 };
-struct SubpixelTables {
+struct SubpixelSlopes {  // 16 KB, what every device lets a uniform buffer hold
   SlopeEntry slopes[max_slope_codes];
+};
+struct SubpixelTangents {
   uint tangent_counts[512];  // by pattern of occluded texels: how many tangents, or one of the two below
   vec2 tangents[2048];       // four a pattern: unit normals into the shadow
 };

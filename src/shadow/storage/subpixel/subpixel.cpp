@@ -15,9 +15,14 @@ uint32_t recovery(std::string_view name) {
   return name == "tangents" ? shared::recovery_tangents : shared::recovery_silhouettes;
 }
 
-gpu::Buffer make_tables(const gpu::Device& device, const Spec& spec) {
-  const auto tables = std::make_unique<shared::SubpixelTables>();
-  make_slope_table(slope_coding(spec.choice("slopes")), tables->slopes);
+gpu::Buffer make_slopes(const gpu::Device& device, const Spec& spec) {
+  const auto table = std::make_unique<shared::SubpixelSlopes>();
+  make_slope_table(slope_coding(spec.choice("slopes")), table->slopes);
+  return gpu::make_buffer<shared::SubpixelSlopes>(device, "sub-pixel slopes", std::span(table.get(), 1));
+}
+
+gpu::Buffer make_tangents(const gpu::Device& device) {
+  const auto tables = std::make_unique<shared::SubpixelTangents>();
   for (uint32_t pattern = 0; pattern < 512; ++pattern) {
     const TangentPattern found = tangent_pattern(pattern);
     using Kind = TangentPattern::Kind;
@@ -26,7 +31,7 @@ gpu::Buffer make_tables(const gpu::Device& device, const Spec& spec) {
                                                                      : static_cast<uint32_t>(found.normals.size());
     for (size_t i = 0; i < found.normals.size(); ++i) tables->tangents[4 * pattern + i] = glm::vec2(found.normals[i]);
   }
-  return gpu::make_buffer<shared::SubpixelTables>(device, "sub-pixel tables", std::span(tables.get(), 1));
+  return gpu::make_buffer<shared::SubpixelTangents>(device, "sub-pixel tangents", std::span(tables.get(), 1));
 }
 
 gpu::Buffer make_constants(const gpu::Device& device, const Spec& spec) {
@@ -38,8 +43,9 @@ gpu::Buffer make_constants(const gpu::Device& device, const Spec& spec) {
 
 SubpixelStorage::SubpixelStorage(const gpu::Device& device, const StorageDesc& desc)
     : device_(device),
-      tables_(make_tables(device, desc.spec)),
+      slopes_(make_slopes(device, desc.spec)),
       constants_(make_constants(device, desc.spec)),
+      tangents_(make_tangents(device)),
       sampler_(gpu::make_sampler(device, vk::Filter::eNearest)),
       draws_(desc.draws) {
   using Usage = vk::ImageUsageFlagBits;
@@ -61,7 +67,7 @@ void SubpixelStorage::record(const Frame& frame, vk::DescriptorSet lookup_set, g
 
 std::vector<gpu::Binding> SubpixelStorage::lookup_bindings() const {
   return {gpu::Binding::sampled(triangles_.view(), *sampler_), gpu::Binding::sampled(minimum_.view(), *sampler_),
-          gpu::Binding::storage(tables_), gpu::Binding::uniform(constants_)};
+          gpu::Binding::uniform(slopes_), gpu::Binding::uniform(constants_), gpu::Binding::storage(tangents_)};
 }
 
 Picture SubpixelStorage::debug_picture(std::string_view) {
@@ -69,7 +75,7 @@ Picture SubpixelStorage::debug_picture(std::string_view) {
 }
 
 std::vector<Allocation> SubpixelStorage::allocations() const {
-  return {triangles_.allocation(), minimum_.allocation(), tables_.allocation(), constants_.allocation()};
+  return {triangles_.allocation(), minimum_.allocation(), slopes_.allocation(), constants_.allocation(), tangents_.allocation()};
 }
 
 }  // namespace shadewright::shadow

@@ -7,7 +7,7 @@
 #include "shadow/storage/subpixel/silhouette.glsl"
 #include "shadow/storage/subpixel/tangents.glsl"
 
-#define STORAGE_DEFERS 1
+#define STORAGE_PASSES 1
 #define STORAGE_DECISIONS 3  // so many ways to come to an answer, from 1 on; `storage_decision` tells which
 
 // How the last receiver was decided (figure 14), by which of the 3x3 texels, and the nearest place of the shadow's border that recovery
@@ -16,8 +16,8 @@ uint storage_decision;
 int subpixel_decider;
 vec2 subpixel_border;
 
-const ivec2 subpixel_order[9] = ivec2[9](ivec2(0, 0), ivec2(1, 0), ivec2(0, 1), ivec2(1, 1), ivec2(-1, 0), ivec2(0, -1), ivec2(-1, 1),
-                                         ivec2(1, -1), ivec2(-1, -1));
+const ivec2 subpixel_order[8] =
+    ivec2[8](ivec2(1, 0), ivec2(0, 1), ivec2(1, 1), ivec2(-1, 0), ivec2(0, -1), ivec2(-1, 1), ivec2(1, -1), ivec2(-1, -1));
 
 ivec2 subpixel_offset(int i) { return ivec2(i % 3, i / 3) - 1; }
 
@@ -41,12 +41,12 @@ bool subpixel_behind_tangents(MapPoint p, vec2 centre) {
   Occluder o;
   for (int i = 0; i < 9; ++i)
     if (subpixel_fetch(p, centre, i, o) && occluder_before(o)) pattern |= 1u << i;
-  uint count = subpixel_tables.tangent_counts[pattern];
+  uint count = subpixel_tangents.tangent_counts[pattern];
   subpixel_border = vec2(silhouette_none);
   if (count == tangents_lit || count == tangents_shadowed) return count == tangents_shadowed;
   float behind = 1e9;
   for (uint k = 0; k < count; ++k) {
-    vec2 normal = subpixel_tables.tangents[4 * pattern + k];
+    vec2 normal = subpixel_tangents.tangents[4 * pattern + k];
     Border border = Border(1e9, vec2(-1e9, 0.0), vec2(1e9, 0.0));
     bool left_occluded = false, right_occluded = false;
     for (int i = 0; i < 9; ++i) {
@@ -66,7 +66,7 @@ bool subpixel_behind_tangents(MapPoint p, vec2 centre) {
 // The centre of the texel in which the receiver lies, from the receiver.
 vec2 subpixel_centre(MapPoint p) { return vec2(map_texel(p)) + 0.5 - p.uv / p.texel; }
 
-// What the receiver's own texel decides. False: its neighbours have a say, see storage_deferred.
+// What the receiver's own texel decides. False: its neighbours have a say, see storage_near.
 bool storage_quick(MapPoint p, out float visible) {
   storage_decision = decided_by_one_texel;
   subpixel_decider = 4;
@@ -82,34 +82,62 @@ bool storage_quick(MapPoint p, out float visible) {
   return o.depth < -error && occluder_holds(o, vec2(0.0));
 }
 
-// What the texels around it tell where storage_quick could not. One walk over them serves the test of their triangles and the
-// silhouettes: reading a triangle costs most.
-float storage_deferred(MapPoint p) {
+// What the neighbours' triangles decide where storage_quick could not. False: see storage_recover.
+bool storage_near(MapPoint p, out float visible) {
+  storage_decision = decided_by_neighbours;
+  visible = 0.0;
   vec2 centre = subpixel_centre(p);
   ivec2 side = ivec2(centre.x < 0.0 ? 1 : -1, centre.y < 0.0 ? 1 : -1);  // those on the receiver's side before the others
-  storage_decision = decided_by_neighbours;
-  Silhouette s = no_silhouette;
-  uint occluded = 0;
   Occluder o;
-  for (int k = 0; k < 9; ++k) {
+  for (int k = 0; k < 8; ++k) {
     ivec2 offset = subpixel_order[k] * side;
     subpixel_decider = 3 * offset.y + offset.x + 4;
-    if (!subpixel_fetch(p, centre, subpixel_decider, o)) continue;
-    if (o.depth < -occluder_error(o, vec2(0.0)) && occluder_holds(o, vec2(0.0))) return 0.0;
-    if (subpixel.recovery != recovery_silhouettes || !occluder_before(o)) continue;
+    if (subpixel_fetch(p, centre, subpixel_decider, o) && o.depth < -occluder_error(o, vec2(0.0)) && occluder_holds(o, vec2(0.0)))
+      return true;
+  }
+  visible = 1.0;
+  return subpixel.recovery == recovery_off;
+}
+
+// Whether anything in texel `i` may lie before the receiver's plane.
+bool subpixel_candidate(MapPoint p, vec2 centre, int i) {
+  ivec2 offset = subpixel_offset(i);
+  ivec3 address;
+  if (!map_fetch(p, offset, address)) return false;
+  float farthest = 1.0;
+#ifndef MAP_WARPED
+  vec2 slope = p.gradient * p.texel;
+  farthest = min(farthest, p.depth + dot(centre + vec2(offset), slope) + 0.5 * (abs(slope.x) + abs(slope.y)));
+#endif
+  return texelFetch(subpixel_minimum, address, 0).r < farthest;
+}
+
+bool subpixel_behind_silhouettes(MapPoint p, vec2 centre) {
+  uint candidates = 0, occluded = 0;
+  for (int i = 0; i < 9; ++i)
+    if (subpixel_candidate(p, centre, i)) candidates |= 1u << i;
+  Silhouette s = no_silhouette;
+  Occluder o;
+  for (; candidates != 0; candidates &= candidates - 1) {
+    if (!subpixel_fetch(p, centre, findLSB(candidates), o) || !occluder_before(o)) continue;
     silhouette_add(s, o);
     ++occluded;
   }
-  if (subpixel.recovery == recovery_off) return 1.0;
-  storage_decision = decided_by_recovery;
-  if (subpixel.recovery == recovery_tangents) return subpixel_behind_tangents(p, centre) ? 0.0 : 1.0;
   subpixel_border = s.border;
-  return silhouette_shadows(s, occluded == 9) ? 0.0 : 1.0;
+  return silhouette_shadows(s, occluded == 9);
+}
+
+// What is left to the edges of the triangles around where storage_near could not tell.
+float storage_recover(MapPoint p) {
+  storage_decision = decided_by_recovery;
+  vec2 centre = subpixel_centre(p);
+  bool behind = subpixel.recovery == recovery_tangents ? subpixel_behind_tangents(p, centre) : subpixel_behind_silhouettes(p, centre);
+  return behind ? 0.0 : 1.0;
 }
 
 float storage_visible(MapPoint p) {
   float visible;
-  return storage_quick(p, visible) ? visible : storage_deferred(p);
+  return storage_quick(p, visible) || storage_near(p, visible) ? visible : storage_recover(p);
 }
 
 // The nearest place of the shadow's border to the receiver of the last look-up: texels from it, far away where none is known.

@@ -29,7 +29,7 @@ class SubpixelStorage final : public Storage {
  private:
   const gpu::Device& device_;
   gpu::Image triangles_, minimum_;
-  gpu::Buffer tables_, constants_;
+  gpu::Buffer slopes_, constants_, tangents_;
   vk::raii::Sampler sampler_;
   CasterDraws& draws_;
 };

@@ -1,6 +1,10 @@
 // Silhouette recovery by tangents, the paper's (section 4.2, figures 7, 8 and 10): the pattern of occluded texels tells on which side
 // the shadow's border lies, and the occluders' edges that look there are linked to a piecewise linear border.
 
+#include "shadow/storage/subpixel/shared.h"
+
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 6, scalar) readonly buffer SubpixelTangentTable { SubpixelTangents subpixel_tangents; };
+
 // The border of the shadow along one tangent, as piecewise linear as the occluders' edges are: how deep in the shadow it lies,
 // at the receiver, and the nearest of its vertices to both sides.
 struct Border {
