@@ -13,7 +13,7 @@
 // constant too: that made the look-up a fifth faster on a CPU device.
 layout(constant_id = 0) const bool six_faces = false;
 
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 0, scalar) readonly buffer MapViews { MapViewData map_views[]; };
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 0, scalar) uniform MapViews { MapViewData map_views[max_map_views]; };
 layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 1, scalar) uniform Lookup { LookupData lookup; };
 
 struct MapPoint {

@@ -54,14 +54,14 @@ MapTechnique::MapTechnique(const gpu::Device& device, const Spec& spec, const Te
   for (uint32_t i = 0; i < options.frames_in_flight; ++i) {
     cameras_.emplace_back(device, "shadow camera", sizeof(shared::CameraData), gpu::HostAccess::write);
     lookups_.emplace_back(device, "shadow constants", sizeof(shared::LookupData), gpu::HostAccess::write);
-    views_.emplace_back(device, "shadow views", parameterization_->max_views() * sizeof(shared::MapViewData),
+    views_.emplace_back(device, "shadow views", shared::max_map_views * sizeof(shared::MapViewData),
                         gpu::HostAccess::write);
   }
   if (auto names = storage_traits(spec.storage).decisions; !names.empty())
     decisions_.emplace(device, std::move(names), options.frames_in_flight);
   // Views, constants, the storage's resources and the parameterization's: see map_point.glsl and the modules' GLSL.
   using enum gpu::BindingKind;
-  const LookupSets::Part parts[] = {{0, {storage_buffer, uniform_buffer}},
+  const LookupSets::Part parts[] = {{0, {uniform_buffer, uniform_buffer}},
                                     {storage_binding, storage_traits(spec.storage).lookup_kinds},
                                     {parameterization_binding, parameterization_->lookup_kinds()}};
   lookup_sets_ = LookupSets(device, parts, options.frames_in_flight);
@@ -71,7 +71,7 @@ void MapTechnique::write_lookup_sets() {
   using gpu::Binding;
   for (uint32_t i = 0; i < options_.frames_in_flight; ++i) {
     gpu::write_set(device_, lookup_sets_.set(i), 0,
-                   std::array{Binding::storage(views_[i]), Binding::uniform(lookups_[i])});
+                   std::array{Binding::uniform(views_[i]), Binding::uniform(lookups_[i])});
     gpu::write_set(device_, lookup_sets_.set(i), storage_binding, storage_->lookup_bindings());
     gpu::write_set(device_, lookup_sets_.set(i), parameterization_binding, parameterization_->lookup_bindings(i));
   }

@@ -16,6 +16,7 @@ struct MapViewData {
   uint drawn;        // 0: nothing receives in this view and its layer holds nothing
   float slope_unit;  // map depth that a texel's width along the light makes, in the middle of the map
 };
+const uint max_map_views = 8;
 
 const uint light_directional = 0, light_spot = 1, light_point = 2;
 
