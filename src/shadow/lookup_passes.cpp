@@ -24,15 +24,14 @@ LookupPasses::LookupPasses(const gpu::Device& device, const Spec& spec, vk::Exte
     : extent_(extent) {
   const uint32_t count = pass_count(spec);
   if (count > 1) {
-    deferred_ =
-        gpu::Buffer(device, "deferred receivers",
-                    shared::max_lookup_passes * sizeof(shared::DeferredReceivers) +
-                        uint64_t{count - 1} * extent.width * extent.height * sizeof(uint32_t));
+    deferred_ = gpu::Buffer(device, "deferred receivers",
+                            shared::max_lookup_passes * sizeof(shared::DeferredReceivers) +
+                                uint64_t{count - 1} * extent.width * extent.height * sizeof(uint32_t));
     kinds.push_back(gpu::BindingKind::storage_buffer);
   }
   for (uint32_t pass = 0; pass < count; ++pass)
-    passes_.emplace_back(device, lookup_shader(spec.parameterization + "/" + spec.storage + "/" + spec.filter), kinds, 0,
-                         std::span(&lookup_layout, 1), six_faces, pass);
+    passes_.emplace_back(device, lookup_shader(spec.parameterization + "/" + spec.storage + "/" + spec.filter), kinds,
+                         0, std::span(&lookup_layout, 1), six_faces, pass);
 }
 
 void LookupPasses::record(const vk::raii::CommandBuffer& commands, std::vector<gpu::Binding> bindings,
