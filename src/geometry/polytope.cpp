@@ -14,8 +14,7 @@ namespace {
 enum class Side { outside, on, inside };
 
 /// Distances below this are zero: 1e-12 of the polytope's size, and never finer than what doubles resolve there.
-double tolerance(const Polytope& polytope, const Plane& plane) {
-  const Box box = polytope.bounds();
+double tolerance(const Box& box, const Plane& plane) {
   const glm::dvec3 reach = glm::max(glm::abs(box.min), glm::abs(box.max));
   const double magnitude = glm::dot(glm::abs(plane.normal), reach) + std::abs(plane.offset);
   return std::max(1e-12 * box.diagonal(), 8 * std::numeric_limits<double>::epsilon() * magnitude);
@@ -30,53 +29,113 @@ glm::dvec3 cut_edge(const glm::dvec3& inner, double inner_distance, const glm::d
   return inner + (outer - inner) * (inner_distance / (inner_distance - outer_distance));
 }
 
-/// The part of a face inside `plane`; corners on the plane are appended to `cut`.
-std::vector<glm::dvec3> clip_polygon(const std::vector<glm::dvec3>& polygon, const Plane& plane, double epsilon,
-                                     std::vector<glm::dvec3>& cut) {
-  std::vector<glm::dvec3> kept;
-  bool any_inside = false;
-  for (size_t i = 0; i < polygon.size(); ++i) {
-    const glm::dvec3& a = polygon[i];
-    const glm::dvec3& b = polygon[(i + 1) % polygon.size()];
-    const double distance_a = plane.distance(a), distance_b = plane.distance(b);
-    const Side side_a = side_of(distance_a, epsilon), side_b = side_of(distance_b, epsilon);
-    any_inside |= side_a == Side::inside;
-    if (side_a != Side::outside) kept.push_back(a);
-    if (side_a == Side::on) cut.push_back(a);
-    const bool crosses =
-        (side_a == Side::inside && side_b == Side::outside) || (side_a == Side::outside && side_b == Side::inside);
-    if (!crosses) continue;
-    kept.push_back(side_a == Side::inside ? cut_edge(a, distance_a, b, distance_b)
-                                          : cut_edge(b, distance_b, a, distance_a));
-    cut.push_back(kept.back());
-  }
-  if (!any_inside || kept.size() < 3) kept.clear();
-  return kept;
-}
-
 glm::dvec3 mean(const std::vector<glm::dvec3>& points) {
   glm::dvec3 sum(0.0);
   for (const glm::dvec3& p : points) sum += p;
   return sum / static_cast<double>(points.size());
 }
 
-/// The convex polygon through `points` of `plane`, counter-clockwise seen from outside (against the plane's normal).
-std::vector<glm::dvec3> cap(std::vector<glm::dvec3> points, const Plane& plane) {
-  const auto before = [](const glm::dvec3& a, const glm::dvec3& b) {
-    return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
-  };
-  std::sort(points.begin(), points.end(), before);
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.size() < 3) return {};
-
-  const glm::dvec3 center = mean(points);
-  glm::dvec3 u, v;
-  perpendicular_axes(-plane.normal, u, v);
-  const auto angle = [&](const glm::dvec3& p) { return std::atan2(glm::dot(p - center, v), glm::dot(p - center, u)); };
-  std::stable_sort(points.begin(), points.end(),
-                   [&](const glm::dvec3& a, const glm::dvec3& b) { return angle(a) < angle(b); });
-  return points;
+/// Grows with the angle of (x, y) from 0 to 4.
+double turn(double x, double y) {
+  const double length = std::abs(x) + std::abs(y);
+  if (!(length > 0)) return 0;
+  return y >= 0 ? 1 - x / length : 3 + x / length;
 }
+
+/// Clips a polytope by planes, one after another. What one cut needs to remember serves the next.
+class Clipper {
+ public:
+  explicit Clipper(Polytope& polytope) : polytope_(polytope) {}
+
+  void clip(const Plane& plane) {
+    distances_.clear();
+    Box bounds;
+    for (const Polytope::Face& face : polytope_.faces)
+      for (const glm::dvec3& p : face.polygon) {
+        bounds.extend(p);
+        distances_.push_back(plane.distance(p));
+      }
+    const double epsilon = tolerance(bounds, plane);
+    bool any_inside = false, any_outside = false;
+    for (const double distance : distances_) {
+      any_inside |= side_of(distance, epsilon) == Side::inside;
+      any_outside |= side_of(distance, epsilon) == Side::outside;
+    }
+    if (!any_inside) polytope_.faces.clear();
+    if (!any_inside || !any_outside) return;
+
+    cut_.clear();
+    const double* distances = distances_.data();
+    size_t kept = 0;
+    for (Polytope::Face& face : polytope_.faces) {
+      const size_t corners = face.polygon.size();
+      if (clip_polygon(face.polygon, distances, epsilon)) std::swap(polytope_.faces[kept++], face);
+      distances += corners;
+    }
+    close_cut(plane);
+    if (cut_.size() < 3) {
+      polytope_.faces.resize(kept);
+      return;
+    }
+    polytope_.faces.resize(kept + 1);
+    polytope_.faces.back().plane = plane;
+    polytope_.faces.back().polygon.assign(cut_.begin(), cut_.end());
+  }
+
+ private:
+  /// Leaves the part of a face inside; corners on the plane are appended to the cut. False if nothing is left.
+  bool clip_polygon(std::vector<glm::dvec3>& polygon, const double* distances, double epsilon) {
+    kept_.clear();
+    bool any_inside = false, any_outside = false;
+    for (size_t i = 0; i < polygon.size(); ++i) {
+      const size_t next = i + 1 == polygon.size() ? 0 : i + 1;
+      const glm::dvec3 &a = polygon[i], &b = polygon[next];
+      const double distance_a = distances[i], distance_b = distances[next];
+      const Side side_a = side_of(distance_a, epsilon), side_b = side_of(distance_b, epsilon);
+      any_inside |= side_a == Side::inside;
+      any_outside |= side_a == Side::outside;
+      if (side_a != Side::outside) kept_.push_back(a);
+      if (side_a == Side::on) cut_.push_back(a);
+      const bool crosses =
+          (side_a == Side::inside && side_b == Side::outside) || (side_a == Side::outside && side_b == Side::inside);
+      if (!crosses) continue;
+      kept_.push_back(side_a == Side::inside ? cut_edge(a, distance_a, b, distance_b)
+                                             : cut_edge(b, distance_b, a, distance_a));
+      cut_.push_back(kept_.back());
+    }
+    if (any_outside) std::swap(polygon, kept_);
+    return any_inside && polygon.size() >= 3;
+  }
+
+  /// Makes the cut's corners the convex polygon through them, counter-clockwise seen from outside (against the plane's
+  /// normal).
+  void close_cut(const Plane& plane) {
+    const auto before = [](const glm::dvec3& a, const glm::dvec3& b) {
+      return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
+    };
+    std::sort(cut_.begin(), cut_.end(), before);
+    cut_.erase(std::unique(cut_.begin(), cut_.end()), cut_.end());
+    if (cut_.size() < 3) return;
+    const glm::dvec3 center = mean(cut_);
+    glm::dvec3 u, v;
+    perpendicular_axes(-plane.normal, u, v);
+    turns_.clear();
+    for (const glm::dvec3& p : cut_) turns_.push_back({turn(glm::dot(p - center, u), glm::dot(p - center, v)), p});
+    std::sort(turns_.begin(), turns_.end(), [&](const Turn& a, const Turn& b) {
+      return a.angle != b.angle ? a.angle < b.angle : before(a.corner, b.corner);
+    });
+    for (size_t i = 0; i < cut_.size(); ++i) cut_[i] = turns_[i].corner;
+  }
+
+  struct Turn {
+    double angle;
+    glm::dvec3 corner;
+  };
+  Polytope& polytope_;
+  std::vector<double> distances_;  ///< of all corners of all faces from the plane
+  std::vector<glm::dvec3> kept_, cut_;
+  std::vector<Turn> turns_;
+};
 
 }  // namespace
 
@@ -112,34 +171,15 @@ Polytope Polytope::from_box(const Box& box) {
 }
 
 Polytope clip(const Polytope& polytope, const Plane& plane) {
-  const double epsilon = tolerance(polytope, plane);
-  bool any_inside = false, any_outside = false;
-  for (const Polytope::Face& face : polytope.faces) {
-    for (const glm::dvec3& p : face.polygon) {
-      const Side side = side_of(plane.distance(p), epsilon);
-      any_inside |= side == Side::inside;
-      any_outside |= side == Side::outside;
-    }
-  }
-  if (!any_inside) return {};
-  if (!any_outside) return polytope;
-
-  Polytope result;
-  std::vector<glm::dvec3> cut;
-  for (const Polytope::Face& face : polytope.faces) {
-    std::vector<glm::dvec3> polygon = clip_polygon(face.polygon, plane, epsilon, cut);
-    if (!polygon.empty()) result.faces.push_back({face.plane, std::move(polygon)});
-  }
-  std::vector<glm::dvec3> closing = cap(std::move(cut), plane);
-  if (!closing.empty()) result.faces.push_back({plane, std::move(closing)});
-  return result;
+  return clip(polytope, std::span(&plane, 1));
 }
 
 Polytope clip(const Polytope& polytope, std::span<const Plane> planes) {
   Polytope result = polytope;
+  Clipper clipper(result);
   for (const Plane& plane : planes) {
     if (result.empty()) break;
-    result = clip(result, plane);
+    clipper.clip(plane);
   }
   return result;
 }

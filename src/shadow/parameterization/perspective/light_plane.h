@@ -42,16 +42,18 @@ class LightPlane {
   };
   struct Shape;
   Rows rows(const Shape& shape) const;
-  double mean_texel(const Rows& rows) const;
+  /// By the first `count` samples.
+  double mean_texel(const Rows& rows, size_t count) const;
 
-  Projection plane_;              ///< coordinates in which the hull is about [-1, 1]^2
-  glm::dmat3x4 points_{0.0};      ///< world points at (0, 0), (1, 0), (0, 1) of the plane with w = 1
-  std::vector<glm::dvec2> hull_;  ///< corners, in the plane
+  Projection plane_;                       ///< coordinates in which the hull is about [-1, 1]^2
+  glm::dmat3x4 points_{0.0};               ///< world points at (0, 0), (1, 0), (0, 1) of the plane with w = 1
+  std::vector<glm::dvec2> hull_;           ///< corners, in the plane
+  mutable std::vector<double> inverse_w_;  ///< of the rows that are being made, there
   /// Of each sample that faces the light: where it is in the plane; how far steps of a metre along two axes of its own
   /// surface move it there, and the inverse of the determinant of those.
   std::vector<float> x_, y_, right_x_, right_y_, down_x_, down_y_, inverse_area_;
   float plane_scale_ = 1, surface_scale_ = 1;  ///< the inverse of the medians of a uniform map's
-  mutable std::vector<float> sizes_;
+  size_t few_ = 0;                             ///< so many first samples are spread over the image
 };
 
 }  // namespace shadewright::shadow

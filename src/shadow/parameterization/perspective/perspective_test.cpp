@@ -57,7 +57,9 @@ Receivers see(const render::CameraView& view, std::span<const SurfacePoint> poin
       tile.depth = depth;
       tile.normal = point.normal;
     }
-  return visible_receivers(view, tiles, grid);
+  Receivers receivers = visible_receivers(view, tiles, grid);
+  bound(receivers, {});
+  return receivers;
 }
 
 /// First hits of every pixel.

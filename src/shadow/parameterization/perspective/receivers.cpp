@@ -27,36 +27,40 @@ constexpr std::array<std::array<int, 3>, 21> hull_normals{
 /// The polytope with the normals above that holds `boxes`, which are in [-1, 1]^3.
 Polytope bounding_polytope(std::span<const ReceiverBox> boxes) {
   Box bounds;
-  for (const ReceiverBox& box : boxes) bounds.extend(box.post);
-  // A polytope needs a volume.
-  const glm::dvec3 half = glm::max(0.5 * bounds.size(), glm::dvec3(image_slack));
-  Polytope polytope = Polytope::from_box({bounds.center() - half, bounds.center() + half});
-  constexpr size_t slanted = hull_normals.size() - 3;
-  using PerNormal = std::array<double, slanted>;
-  PerNormal nx, ny, nz, low, high;
+  // Floats, which are off by less than a tenth of the slack there, in flat arrays of whole vectors, so that it
+  // vectorizes. Along the axes far receivers need more.
+  constexpr size_t axes = 3, lanes = 20, slanted = hull_normals.size() - axes;
+  static_assert(slanted <= lanes);
+  using PerNormal = std::array<float, lanes>;
+  PerNormal nx{}, ny{}, nz{}, low, high;
   for (size_t i = 0; i < slanted; ++i) {
-    nx[i] = hull_normals[i + 3][0];
-    ny[i] = hull_normals[i + 3][1];
-    nz[i] = hull_normals[i + 3][2];
+    nx[i] = static_cast<float>(hull_normals[i + axes][0]);
+    ny[i] = static_cast<float>(hull_normals[i + axes][1]);
+    nz[i] = static_cast<float>(hull_normals[i + axes][2]);
   }
-  low.fill(std::numeric_limits<double>::infinity());
-  high.fill(-std::numeric_limits<double>::infinity());
-  for (const auto& [box, world] : boxes) {
-    const glm::dvec3 center = box.center(), reach = 0.5 * box.size();
-    for (size_t i = 0; i < slanted; ++i) {  // flat arrays, so that it vectorizes
-      const double middle = nx[i] * center.x + ny[i] * center.y + nz[i] * center.z;
-      const double around = std::abs(nx[i]) * reach.x + std::abs(ny[i]) * reach.y + std::abs(nz[i]) * reach.z;
+  low.fill(std::numeric_limits<float>::infinity());
+  high.fill(-std::numeric_limits<float>::infinity());
+  for (const ReceiverBox& box : boxes) {
+    bounds.extend(box.post);
+    const glm::vec3 center(box.post.center()), reach(0.5 * box.post.size());
+    for (size_t i = 0; i < lanes; ++i) {
+      const float middle = nx[i] * center.x + ny[i] * center.y + nz[i] * center.z;
+      const float around = std::abs(nx[i]) * reach.x + std::abs(ny[i]) * reach.y + std::abs(nz[i]) * reach.z;
       low[i] = middle - around < low[i] ? middle - around : low[i];
       high[i] = middle + around > high[i] ? middle + around : high[i];
     }
   }
+  std::vector<Plane> planes;
+  planes.reserve(2 * slanted);
   for (size_t i = 0; i < slanted; ++i) {
     const glm::dvec3 direction(nx[i], ny[i], nz[i]);
     const double length = glm::length(direction);
-    polytope = clip(polytope, {direction / length, image_slack - low[i] / length});
-    polytope = clip(polytope, {-direction / length, image_slack + high[i] / length});
+    planes.push_back({direction / length, image_slack - static_cast<double>(low[i]) / length});
+    planes.push_back({-direction / length, image_slack + static_cast<double>(high[i]) / length});
   }
-  return polytope;
+  // A polytope needs a volume.
+  const glm::dvec3 half = glm::max(0.5 * bounds.size(), glm::dvec3(image_slack));
+  return clip(Polytope::from_box({bounds.center() - half, bounds.center() + half}), planes);
 }
 
 /// z of CameraMap::post_perspective at a view depth.
@@ -67,9 +71,16 @@ double post_depth(const Receivers& receivers, double depth) {
 
 }  // namespace
 
-void bound(Receivers& receivers) {
-  receivers.hull =
-      receivers.boxes.empty() ? Polytope{} : transform(receivers.world_from_post, bounding_polytope(receivers.boxes));
+void bound(Receivers& receivers, std::span<const Plane> planes) {
+  receivers.hull = {};
+  if (!receivers.boxes.empty())
+    receivers.hull = clip(transform(receivers.world_from_post, bounding_polytope(receivers.boxes)), planes);
+  receivers.corners = receivers.hull.points();
+  const auto before = [](const glm::dvec3& a, const glm::dvec3& b) {
+    return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
+  };
+  std::sort(receivers.corners.begin(), receivers.corners.end(), before);
+  receivers.corners.erase(std::unique(receivers.corners.begin(), receivers.corners.end()), receivers.corners.end());
 }
 
 CameraMap::CameraMap(const render::CameraView& camera)
@@ -110,10 +121,7 @@ struct PixelRays {
 void append_sample(std::vector<ReceiverSample>& samples, const PixelRays& rays, const glm::dvec2& pixel, double depth,
                    const glm::dvec3& normal) {
   const glm::dvec3 ray = rays.first + pixel.x * rays.right + pixel.y * rays.down;
-  const double facing = glm::dot(normal, ray);
-  if (!(std::abs(facing) > 1e-3 * glm::length(ray))) return;
-  const auto step = [&](const glm::dvec3& turn) { return depth * (turn - ray * (glm::dot(normal, turn) / facing)); };
-  samples.push_back({rays.eye + depth * ray, normal, depth, step(rays.right), step(rays.down)});
+  if (std::abs(glm::dot(normal, ray)) > 1e-3 * glm::length(ray)) samples.push_back({rays.eye + depth * ray, normal});
 }
 
 }  // namespace
@@ -133,6 +141,7 @@ Receivers visible_receivers(const render::CameraView& camera, std::span<const sh
   receivers.farthest = std::max(far * (1 + depth_slack), near * (1 + 1e-4));
   receivers.light_distance = light;
 
+  receivers.boxes.reserve(tiles.size());
   const PixelRays rays(camera);
   const uint32_t sample_stride = grid.columns * grid.rows > 1000 ? 2 : 1;  // some hundred samples suffice
   const glm::dvec2 size(camera.width, camera.height);
@@ -146,14 +155,14 @@ Receivers visible_receivers(const render::CameraView& camera, std::span<const sh
       const glm::dvec2 high = 2.0 * (end - 0.5) / size - 1.0 + image_slack;
       receivers.boxes.push_back({{{low, post_depth(receivers, tile.nearest * (1 - depth_slack))},
                                   {high, post_depth(receivers, tile.farthest * (1 + depth_slack))}},
-                                 {glm::dvec3(tile.low), glm::dvec3(tile.high)}});
+                                 tile.low,
+                                 tile.high});
       if (tile.depth > 0 && row % sample_stride == 0 && column % sample_stride == 0)
         append_sample(receivers.samples, rays, glm::floor(0.5 * (first + end)) + 0.5, tile.depth,
                       glm::dvec3(tile.normal));
     }
   receivers.world_from_post =
       glm::inverse(CameraMap(camera).post_perspective(receivers.nearest, receivers.farthest, 0.0));
-  bound(receivers);
   return receivers;
 }
 
@@ -177,7 +186,7 @@ Receivers bounded_receivers(const Frame& frame) {
     const double depth = glm::dot(camera.w, p);
     const glm::dvec2 image(glm::dot(camera.x, p) / depth, glm::dot(camera.y, p) / depth);
     const glm::dvec3 post(image, post_depth(receivers, depth));
-    receivers.boxes.push_back({{post - image_slack, post + image_slack}, {point, point}});
+    receivers.boxes.push_back({{post - image_slack, post + image_slack}, glm::vec3(point), glm::vec3(point)});
     const glm::dvec3 to_light =
         frame.light.kind == LightKind::directional ? -frame.light.direction : frame.light.position - point;
     if (glm::length(to_light) > 0)
@@ -185,27 +194,32 @@ Receivers bounded_receivers(const Frame& frame) {
                     depth, glm::normalize(to_light));
   }
   receivers.world_from_post = glm::inverse(camera.post_perspective(receivers.nearest, receivers.farthest, 0.0));
-  bound(receivers);
   return receivers;
 }
 
 Receivers inside(const Receivers& receivers, std::span<const Plane> planes) {
-  Receivers result = receivers;
-  result.hull = clip(receivers.hull, planes);
+  Receivers result;
+  result.nearest = receivers.nearest;
+  result.farthest = receivers.farthest;
+  result.light_distance = receivers.light_distance;
+  result.world_from_post = receivers.world_from_post;
+  // The same half-spaces in post-perspective space, where receivers have a positive w.
   const glm::dmat4 transposed = glm::transpose(receivers.world_from_post);
-  for (const Plane& plane : planes) {
-    // The same half-space in post-perspective space, where receivers have a positive w.
-    const glm::dvec4 row = transposed * glm::dvec4(plane.normal, plane.offset);
-    std::erase_if(result.boxes, [&](const ReceiverBox& receiver) {
+  std::vector<glm::dvec4> rows;
+  for (const Plane& plane : planes) rows.push_back(transposed * glm::dvec4(plane.normal, plane.offset));
+  const auto reaches_inside = [&](const ReceiverBox& receiver) {
+    const glm::dvec3 center = receiver.post.center(), half = 0.5 * receiver.post.size();
+    return std::all_of(rows.begin(), rows.end(), [&](const glm::dvec4& row) {
       const glm::dvec3 normal(row);
-      const Box& box = receiver.post;
-      return glm::dot(normal, box.center()) + 0.5 * glm::dot(glm::abs(normal), box.size()) + row.w < 0;
+      return glm::dot(normal, center) + glm::dot(glm::abs(normal), half) + row.w >= 0;
     });
-  }
-  std::erase_if(result.samples, [&](const ReceiverSample& sample) {
-    return std::any_of(planes.begin(), planes.end(),
-                       [&](const Plane& plane) { return plane.distance(sample.world) < 0; });
-  });
+  };
+  std::copy_if(receivers.boxes.begin(), receivers.boxes.end(), std::back_inserter(result.boxes), reaches_inside);
+  std::copy_if(receivers.samples.begin(), receivers.samples.end(), std::back_inserter(result.samples),
+               [&](const ReceiverSample& sample) {
+                 return std::all_of(planes.begin(), planes.end(),
+                                    [&](const Plane& plane) { return plane.distance(sample.world) >= 0; });
+               });
   return result;
 }
 

@@ -25,13 +25,12 @@ struct CameraMap {
 /// A visible surface point.
 struct ReceiverSample {
   glm::dvec3 world, normal;
-  double depth;            ///< view depth, metres
-  glm::dvec3 right, down;  ///< how far a step of one pixel in the image moves it along its own plane
 };
 
 /// Where receivers are: bounds in post-perspective space and in the world.
 struct ReceiverBox {
-  Box post, world;
+  Box post;
+  glm::vec3 low, high;  ///< world
 };
 
 /// No boxes: nothing is visible.
@@ -40,8 +39,9 @@ struct Receivers {
   double light_distance = 0;         ///< no receiver is nearer to a light with a position, along its axis
   glm::dmat4 world_from_post{1.0};   ///< inverse of the camera's post_perspective(nearest, farthest, 0)
   std::vector<ReceiverBox> boxes;    ///< hold every receiver
-  Polytope hull;                     ///< holds every receiver, few faces
   std::vector<ReceiverSample> samples;
+  Polytope hull;                    ///< holds every receiver, few faces: once bound
+  std::vector<glm::dvec3> corners;  ///< of the hull, each once
 };
 
 /// A grid of square tiles of an even side over an image: at most about 4,000.
@@ -57,11 +57,10 @@ Receivers visible_receivers(const render::CameraView& camera, std::span<const sh
 /// as if they faced the light.
 Receivers bounded_receivers(const Frame& frame);
 
-/// The part inside `planes`, for one face of a light: hull and samples, and the boxes that
-/// reach inside.
+/// Boxes that reach inside all `planes` and samples there: for one face of a light.
 Receivers inside(const Receivers& receivers, std::span<const Plane> planes);
 
-/// Fits the hull to the boxes.
-void bound(Receivers& receivers);
+/// Fits the hull to the part of the boxes inside all `planes`.
+void bound(Receivers& receivers, std::span<const Plane> planes);
 
 }  // namespace shadewright::shadow

@@ -18,25 +18,60 @@ constexpr int cells = 32;
 /// Looking at more casters costs more than the texels are worth.
 constexpr size_t most_casters = 8192;
 
-/// Whether `receivers`, moving towards the light, meet `caster` on the way: convex bounds of both against each other.
-bool may_shadow(const Box& caster, const Box& receivers, const Light& light, double slack) {
-  double from = 0, to = light.kind == LightKind::directional ? infinity : 1;
-  // low + t * velocity <= limit
-  const auto require = [&](double low, double velocity, double limit) {
-    if (velocity > 0)
-      to = std::min(to, (limit - low) / velocity);
-    else if (velocity < 0)
-      from = std::max(from, (limit - low) / velocity);
-    else if (low > limit)
-      to = -infinity;
-  };
-  for (int axis = 0; axis < 3; ++axis) {
-    const double low = receivers.min[axis] + slack, high = receivers.max[axis] - slack;
-    const bool directional = light.kind == LightKind::directional;
-    require(low, directional ? -light.direction[axis] : light.position[axis] - low, caster.max[axis]);
-    require(-high, directional ? light.direction[axis] : high - light.position[axis], -caster.min[axis]);
+/// Receivers on their way to the light, as convex bounds of where they pass.
+class Sweep {
+ public:
+  Sweep(const Light& light, double slack)
+      : directional_(light.kind == LightKind::directional),
+        light_(directional_ ? -light.direction : light.position),
+        per_direction_(1.0 / light_),
+        slack_(slack) {}
+
+  /// Whether `receivers` meet `caster` on the way.
+  bool meets(const Box& caster, const Box& receivers) const {
+    double from = 0, to = directional_ ? infinity : 1;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double low = receivers.min[axis] + slack_, high = receivers.max[axis] - slack_;
+      const double low_velocity = directional_ ? light_[axis] : light_[axis] - low;
+      const double high_velocity = directional_ ? light_[axis] : light_[axis] - high;
+      // low + t * velocity <= the caster's end, and the same for the other ends.
+      const double until = (caster.max[axis] - low) * (directional_ ? per_direction_[axis] : 1 / low_velocity);
+      const double since = (caster.min[axis] - high) * (directional_ ? per_direction_[axis] : 1 / high_velocity);
+      if (low_velocity > 0)
+        to = std::min(to, until);
+      else if (low_velocity < 0)
+        from = std::max(from, until);
+      else if (low > caster.max[axis])
+        return false;
+      if (high_velocity > 0)
+        from = std::max(from, since);
+      else if (high_velocity < 0)
+        to = std::min(to, since);
+      else if (high < caster.min[axis])
+        return false;
+    }
+    return from <= to;
   }
-  return from <= to;
+
+ private:
+  bool directional_;
+  glm::dvec3 light_, per_direction_;  ///< towards the light, or where it is
+  double slack_;
+};
+
+/// A box in the shape whose extension takes the fewest instructions: lows and negative highs all become smaller.
+struct Bounds {
+  static constexpr float none = std::numeric_limits<float>::infinity();
+  std::array<float, 8> ends{none, none, none, none, none, none, none, none};
+
+  void extend(const Bounds& other) {
+    for (size_t i = 0; i < 8; ++i) ends[i] = other.ends[i] < ends[i] ? other.ends[i] : ends[i];
+  }
+  Box box() const { return {{ends[0], ends[1], ends[2]}, {-ends[4], -ends[5], -ends[6]}}; }
+};
+
+Bounds bounds_of(const ReceiverBox& box) {
+  return {{box.low.x, box.low.y, box.low.z, Bounds::none, -box.high.x, -box.high.y, -box.high.z, Bounds::none}};
 }
 
 struct Rectangle {
@@ -72,18 +107,19 @@ Rectangle seen(const LightFrame& frame, const Box& box) {
 
 bool keep_shadowable(Receivers& receivers, const Light& light, const LightFrame& frame, std::span<const Box> casters) {
   if (casters.size() > most_casters || receivers.boxes.empty()) return false;
-  Box all;
+  Bounds all;
   Rectangle window;
   std::vector<Rectangle> images;
   images.reserve(receivers.boxes.size());
   for (const ReceiverBox& box : receivers.boxes) {
-    all.extend(box.world);
-    images.push_back(seen(frame, box.world));
+    all.extend(bounds_of(box));
+    images.push_back(seen(frame, {glm::dvec3(box.low), glm::dvec3(box.high)}));
     window.low = glm::min(window.low, images.back().low);
     window.high = glm::max(window.high, images.back().high);
   }
-  const glm::dvec3 farthest = glm::max(glm::abs(all.min), glm::abs(all.max));
-  const double slack = position_slack * (farthest.x + farthest.y + farthest.z + receivers.farthest);
+  const Box all_box = all.box();
+  const glm::dvec3 farthest = glm::max(glm::abs(all_box.min), glm::abs(all_box.max));
+  const Sweep sweep(light, position_slack * (farthest.x + farthest.y + farthest.z + receivers.farthest));
   const glm::dvec2 extent = window.high - window.low;
   const auto per_unit = [](double size) { return size > 0 && cells / size < infinity ? cells / size : 0.0; };
   const glm::dvec2 scale(per_unit(extent.x), per_unit(extent.y));
@@ -95,45 +131,48 @@ bool keep_shadowable(Receivers& receivers, const Light& light, const LightFrame&
     return CellRange{glm::ivec2(glm::clamp(scale * (image.low - window.low), glm::dvec2(0), end)),
                      glm::ivec2(glm::clamp(scale * (image.high - window.low), glm::dvec2(0), end))};
   };
-  struct Cell {
-    Box receivers;
-    bool covered = false;
-  };
-  std::array<Cell, cells * cells> grid;
-  /// True if `use` says so for one of the cells; it is asked no more then.
-  const auto any_cell = [&](const CellRange& range, const auto& use) {
+  /// True if `use` says so for the place in the grid of one of the cells; it is asked no more then.
+  const auto any_cell = [](const CellRange& range, const auto& use) {
     for (int y = range.first.y; y <= range.last.y; ++y)
       for (int x = range.first.x; x <= range.last.x; ++x)
-        if (use(grid[static_cast<size_t>(y * cells + x)])) return true;
+        if (use(static_cast<size_t>(y * cells + x))) return true;
     return false;
   };
+  std::vector<Bounds> bounds(cells * cells);
   std::vector<CellRange> ranges;
   ranges.reserve(images.size());
   for (size_t i = 0; i < images.size(); ++i) {
     ranges.push_back(cells_of(images[i]));
-    any_cell(ranges.back(), [&](Cell& at) {
-      at.receivers.extend(receivers.boxes[i].world);
+    const Bounds box = bounds_of(receivers.boxes[i]);
+    any_cell(ranges.back(), [&](size_t cell) {
+      bounds[cell].extend(box);
       return false;
     });
   }
+  // Cells that hold receivers and are not known to be covered.
+  std::array<bool, cells * cells> open, covered{};
+  for (size_t cell = 0; cell < bounds.size(); ++cell) open[cell] = !bounds[cell].box().empty();
   for (const Box& caster : casters) {
-    if (!may_shadow(caster, all, light, slack)) continue;
+    if (!sweep.meets(caster, all_box)) continue;
     const Rectangle image = seen(frame, caster);
     if (glm::any(glm::greaterThan(image.low, window.high)) || glm::any(glm::lessThan(image.high, window.low))) continue;
-    any_cell(cells_of(image), [&](Cell& at) {
-      at.covered = at.covered || (!at.receivers.empty() && may_shadow(caster, at.receivers, light, slack));
+    any_cell(cells_of(image), [&](size_t cell) {
+      if (open[cell] && sweep.meets(caster, bounds[cell].box())) {
+        open[cell] = false;
+        covered[cell] = true;
+      }
       return false;
     });
   }
-  const auto covered = [](const Cell& at) { return at.covered; };
+  const auto is_covered = [&](size_t cell) { return covered[cell]; };
   size_t kept = 0;
   for (size_t i = 0; i < ranges.size(); ++i)
-    if (any_cell(ranges[i], covered)) receivers.boxes[kept++] = receivers.boxes[i];
+    if (any_cell(ranges[i], is_covered)) receivers.boxes[kept++] = receivers.boxes[i];
   const bool left_out = kept < images.size();
   receivers.boxes.resize(kept);
   if (left_out)
     std::erase_if(receivers.samples, [&](const ReceiverSample& sample) {
-      return !any_cell(cells_of(seen(frame, {sample.world, sample.world})), covered);
+      return !any_cell(cells_of(seen(frame, {sample.world, sample.world})), is_covered);
     });
   return left_out;
 }

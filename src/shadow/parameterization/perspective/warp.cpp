@@ -38,17 +38,6 @@ glm::dvec4 distance_row(const LightFrame& light) {
   return -glm::row(light.view_from_world, 2);
 }
 
-/// Corners without repetition.
-std::vector<glm::dvec3> corners_of(const Polytope& polytope) {
-  std::vector<glm::dvec3> points = polytope.points();
-  const auto before = [](const glm::dvec3& a, const glm::dvec3& b) {
-    return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
-  };
-  std::sort(points.begin(), points.end(), before);
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  return points;
-}
-
 /// Without a lamp itself: where it is in the hull it is a corner, whose image the other corners on the same rays have.
 std::vector<glm::dvec3> before_light(std::vector<glm::dvec3> corners, const LightFrame& light) {
   if (!light.perspective) return corners;
@@ -65,45 +54,29 @@ struct Rectangle {
     low = glm::min(low, p);
     high = glm::max(high, p);
   }
+  bool empty() const { return !(low.x <= high.x); }
   glm::dvec2 size() const { return high - low; }
   glm::dvec2 center() const { return 0.5 * (low + high); }
 };
-
-/// The turn of unit axes, of 32 within a right angle, that gives `points` the smallest bounding rectangle.
-glm::dvec2 smallest_turn(std::span<const glm::dvec2> points) {
-  constexpr int angles = 32;
-  glm::dvec2 best(1, 0);
-  double smallest = infinity;
-  for (int a = 0; a < angles; ++a) {
-    const double angle = 0.5 * std::numbers::pi * a / angles;
-    const glm::dvec2 axis(std::cos(angle), std::sin(angle));
-    Rectangle bounds;
-    for (const glm::dvec2& p : points) bounds.extend({glm::dot(axis, p), axis.x * p.y - axis.y * p.x});
-    const double area = bounds.size().x * bounds.size().y;
-    if (area < smallest * (1 - 1e-9)) {
-      smallest = area;
-      best = axis;
-    }
-  }
-  return best;
-}
 
 /// Bounds of the image of the receivers' boxes; everything where not all of them are in front.
 Rectangle bounding_rectangle(const Projection& projection, const Receivers& receivers) {
   const glm::dmat4 transposed = glm::transpose(receivers.world_from_post);
   const glm::dvec4 x = transposed * projection.x, y = transposed * projection.y, w = transposed * projection.w;
   Rectangle bounds;
-  for (const auto& [box, world] : receivers.boxes) {
+  for (const ReceiverBox& receiver : receivers.boxes) {
+    const Box& box = receiver.post;
     const glm::dvec3 center = box.center(), half = 0.5 * box.size();
-    const glm::dvec3 middle(along(x, center), along(y, center), along(w, center));
-    const glm::dvec3 across = half.x * glm::dvec3(x.x, y.x, w.x), down = half.y * glm::dvec3(x.y, y.y, w.y),
-                     deep = half.z * glm::dvec3(x.z, y.z, w.z);
-    for (const glm::dvec3& a : {middle - across, middle + across})
-      for (const glm::dvec3& b : {a - down, a + down})
-        for (const glm::dvec3& c : {b - deep, b + deep}) {
-          if (!(c.z > 0)) return {glm::dvec2(-infinity), glm::dvec2(infinity)};
-          bounds.extend(glm::dvec2(c) / c.z);
-        }
+    const auto greatest = [&](const glm::dvec4& row) {
+      return along(row, center) + glm::dot(glm::abs(glm::dvec3(row)), half);
+    };
+    if (!(greatest(-w) < 0)) return {glm::dvec2(-infinity), glm::dvec2(infinity)};
+    // Few boxes reach beyond those before them, which takes no division to tell.
+    if (!bounds.empty() && greatest(x - bounds.high.x * w) <= 0 && greatest(y - bounds.high.y * w) <= 0 &&
+        greatest(bounds.low.x * w - x) <= 0 && greatest(bounds.low.y * w - y) <= 0)
+      continue;
+    for (const glm::dvec3& corner : box.corners())
+      bounds.extend(glm::dvec2(along(x, corner), along(y, corner)) / along(w, corner));
   }
   return bounds;
 }
@@ -118,7 +91,7 @@ Projection perspective_projection(const glm::dvec4& light, const CameraMap& came
                                   double shift) {
   const glm::dmat4 post_from_world = camera.post_perspective(receivers.nearest, receivers.farthest, shift);
   Box bounds;
-  for (const glm::dvec3& corner : receivers.hull.points()) {
+  for (const glm::dvec3& corner : receivers.corners) {
     const glm::dvec4 q = post_from_world * glm::dvec4(corner, 1.0);
     bounds.extend(glm::dvec3(q) / q.w);
   }
@@ -163,7 +136,7 @@ Projection light_space_projection(const LightFrame& light, const CameraMap& came
   const glm::dvec2 direction = step / steps;
   const double metres = length * sine / steps;  // of a unit of the light's plane
   double low = infinity, high = -infinity;
-  for (const glm::dvec3& corner : receivers.hull.points()) {
+  for (const glm::dvec3& corner : receivers.corners) {
     if (!(along(plain.w, corner) > 0)) continue;
     const double d = glm::dot(direction, image(corner));
     low = std::min(low, d);
@@ -188,7 +161,7 @@ double least_shift(const Light& light, const LightFrame& frame, const CameraMap&
 
 std::optional<glm::dmat4> fit_projection(const Projection& projection, const LightFrame& light,
                                          const Receivers& receivers, const FitOptions& options) {
-  const std::vector<glm::dvec3> corners = corners_of(receivers.hull);
+  const std::vector<glm::dvec3>& corners = receivers.corners;
   if (corners.empty()) return std::nullopt;
   const glm::dvec4 distance = distance_row(light);
   double nearest = infinity, farthest = -infinity;
@@ -277,17 +250,15 @@ Warp choose_warp(const Light& light, const LightFrame& frame, const CameraMap& c
                  const Box& scene, const WarpOptions& options) {
   Warp warp;
   warp.light_from_world = frame.view_from_world;
-  if (receivers.hull.empty()) return warp;
+  if (receivers.boxes.empty()) return warp;
   const std::vector<Plane> reach = reach_planes(light, frame);
   Receivers reached = frame.perspective ? inside(receivers, reach) : receivers;
-  if (!options.casters.empty() && keep_shadowable(reached, light, frame, options.casters)) {
-    bound(reached);
-    reached.hull = clip(reached.hull, reach);
-  }
+  if (!options.casters.empty()) keep_shadowable(reached, light, frame, options.casters);
+  bound(reached, reach);
   if (reached.hull.empty()) return warp;
   // Faces of a point light overlap by the widest filter, so that a tap never leaves its face.
   FitOptions fit{options.resolution, light.kind == LightKind::point ? 21.0 : 1.0, true, false};
-  const LightPlane plane(frame, light, before_light(corners_of(reached.hull), frame), reached.samples);
+  const LightPlane plane(frame, light, before_light(reached.corners, frame), reached.samples);
   const auto texel = [&](const std::optional<glm::dmat4>& matrix) {
     return matrix ? plane.mean_texel(*matrix) : infinity;
   };

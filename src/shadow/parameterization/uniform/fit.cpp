@@ -93,24 +93,31 @@ Box receiver_bounds(const LightFrame& light, std::span<const glm::dvec3> points)
   return bounds;
 }
 
-LightFrame turn_to_fit(const LightFrame& light, std::span<const glm::dvec3> points) {
-  if (light.perspective || points.empty()) return light;
+glm::dvec2 smallest_turn(std::span<const glm::dvec2> points) {
+  // Floats about the points' middle, in flat arrays, so that it vectorizes.
   constexpr size_t angles = 32;
-  using PerAngle = std::array<double, angles>;
+  using PerAngle = std::array<float, angles>;
   PerAngle cosine, sine, low_x, high_x, low_y, high_y;
   for (size_t a = 0; a < angles; ++a) {
     const double angle = 0.5 * std::numbers::pi * static_cast<double>(a) / angles;
-    cosine[a] = std::cos(angle);
-    sine[a] = std::sin(angle);
+    cosine[a] = static_cast<float>(std::cos(angle));
+    sine[a] = static_cast<float>(std::sin(angle));
   }
-  low_x.fill(std::numeric_limits<double>::infinity());
+  low_x.fill(std::numeric_limits<float>::infinity());
   low_y = low_x;
-  high_x.fill(-std::numeric_limits<double>::infinity());
+  high_x.fill(-std::numeric_limits<float>::infinity());
   high_y = high_x;
-  for (const glm::dvec3& point : points) {
-    const glm::dvec3 p = view_coordinates(light, point);
-    for (size_t a = 0; a < angles; ++a) {  // flat arrays, so that it vectorizes
-      const double x = p.x * cosine[a] + p.y * sine[a], y = p.y * cosine[a] - p.x * sine[a];
+  glm::dvec2 low(std::numeric_limits<double>::infinity()), high = -low;
+  for (const glm::dvec2& p : points) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  const glm::dvec2 center = 0.5 * (low + high);
+  const double unit = std::max(high.x - low.x, high.y - low.y);
+  for (const glm::dvec2& point : points) {
+    const glm::vec2 p((point - center) / unit);
+    for (size_t a = 0; a < angles; ++a) {
+      const float x = p.x * cosine[a] + p.y * sine[a], y = p.y * cosine[a] - p.x * sine[a];
       low_x[a] = x < low_x[a] ? x : low_x[a];
       high_x[a] = x > high_x[a] ? x : high_x[a];
       low_y[a] = y < low_y[a] ? y : low_y[a];
@@ -120,10 +127,20 @@ LightFrame turn_to_fit(const LightFrame& light, std::span<const glm::dvec3> poin
   size_t best = 0;
   const auto area = [&](size_t a) { return (high_x[a] - low_x[a]) * (high_y[a] - low_y[a]); };
   for (size_t a = 1; a < angles; ++a)
-    if (area(a) < area(best)) best = a;
+    if (area(a) < (1 - 1e-5f) * area(best)) best = a;  // the first of those that floats do not tell apart
+  const double angle = 0.5 * std::numbers::pi * static_cast<double>(best) / angles;
+  return {std::cos(angle), std::sin(angle)};
+}
+
+LightFrame turn_to_fit(const LightFrame& light, std::span<const glm::dvec3> points) {
+  if (light.perspective || points.empty()) return light;
+  std::vector<glm::dvec2> images;
+  images.reserve(points.size());
+  for (const glm::dvec3& point : points) images.push_back(glm::dvec2(view_coordinates(light, point)));
+  const glm::dvec2 axis = smallest_turn(images);
   glm::dmat4 turn(1.0);
-  turn[0] = {cosine[best], -sine[best], 0, 0};
-  turn[1] = {sine[best], cosine[best], 0, 0};
+  turn[0] = {axis.x, -axis.y, 0, 0};
+  turn[1] = {axis.y, axis.x, 0, 0};
   LightFrame turned = light;
   turned.view_from_world = turn * light.view_from_world;
   return turned;
