@@ -10,6 +10,7 @@ layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 5, scalar) uniform SubpixelConsta
 
 struct Occluder {
   uvec3 words;
+  vec3 a, b, c;     // its vertices, or of a large one the lines through its edges (as decode_line), from the texel's centre
   bool large;
   bool averted;     // a closed body's side that looks away from the light: no receiver lies on it
   vec2 centre;      // of the texel
@@ -30,6 +31,15 @@ Occluder occluder_at(ivec3 address, vec2 centre, float minimum, MapPoint p) {
   o.large = code_x == mark;
   o.centre = centre;
   o.averted = (texel.b >> 31) != 0;
+  if (o.large) {
+    o.a = decode_line(o.words.x);
+    o.b = decode_line(o.words.y);
+    o.c = decode_line(o.words.z);
+  } else {
+    o.a = vec3(decode_vertex(o.words.x), 0.0);
+    o.b = vec3(decode_vertex(o.words.y), 0.0);
+    o.c = vec3(decode_vertex(o.words.z), 0.0);
+  }
   if (o.large) code_x = (texel.r >> 28) | ((texel.g >> 28) << 4) | (((texel.b >> 28) & 7) << 8);
   SlopeEntry x = subpixel_slopes.slopes[code_x], y = subpixel_slopes.slopes[code_y];
   float unit = map_slope_unit(p);
@@ -44,17 +54,12 @@ Occluder occluder_at(ivec3 address, vec2 centre, float minimum, MapPoint p) {
   return o;
 }
 
+bool within_line(vec3 line, vec2 at) { return dot(line.xy, at) <= line.z; }
+
 // Whether `at` lies in the triangle's area.
 bool occluder_holds(Occluder o, vec2 at) {
   at -= o.centre;
-  if (o.large) {
-    for (uint i = 0; i < 3; ++i) {
-      vec3 line = decode_line(o.words[i]);
-      if (dot(line.xy, at) > line.z) return false;
-    }
-    return true;
-  }
-  return in_triangle(at, decode_vertex(o.words.x), decode_vertex(o.words.y), decode_vertex(o.words.z));
+  return o.large ? within_line(o.a, at) && within_line(o.b, at) && within_line(o.c, at) : in_triangle(at, o.a.xy, o.b.xy, o.c.xy);
 }
 
 float occluder_depth(Occluder o, vec2 at) { return o.depth + dot(o.gradient, at); }
@@ -62,30 +67,39 @@ float occluder_depth(Occluder o, vec2 at) { return o.depth + dot(o.gradient, at)
 // How far that may be off.
 float occluder_error(Occluder o, vec2 at) { return o.tolerance + dot(o.error, abs(at - o.centre)); }
 
-// One edge, as far as it is in sight (false: nothing of it is), and its normal out of the triangle, of any length.
-bool occluder_edge(Occluder o, uint i, out vec2 from, out vec2 to, out vec2 normal) {
+// The same with the next edge first. Edges are walked so, not by an index: no CPU device finds a vertex by index in a register.
+Occluder occluder_turned(Occluder o) {
+  o.words = o.words.yzx;
+  vec3 first = o.a;
+  o.a = o.b;
+  o.b = o.c;
+  o.c = first;
+  return o;
+}
+
+// Cuts off of the line from `foot` along `along` what lies beyond another.
+void cut_line(inout vec2 part, vec3 other, vec2 foot, vec2 along) {
+  float rate = dot(other.xy, along), room = other.z - dot(other.xy, foot);
+  if (rate > 1e-6) part.y = min(part.y, room / rate);
+  else if (rate < -1e-6) part.x = max(part.x, room / rate);
+  else if (room < 0.0) part.y = part.x;
+}
+
+// The first edge, as far as it is in sight (false: nothing of it is), and its normal out of the triangle, of any length.
+bool occluder_edge(Occluder o, out vec2 from, out vec2 to, out vec2 normal) {
   if (o.large) {
-    vec3 l = decode_line(o.words[i]);
-    normal = l.xy;
-    if (abs(l.z) >= line_reach - 1.0) return false;
-    vec2 foot = l.xy * l.z, along = vec2(-l.y, l.x);
-    float low = -line_reach, high = line_reach;
-    for (uint k = 1; k < 3; ++k) {
-      vec3 m = decode_line(o.words[(i + k) % 3]);
-      float rate = dot(m.xy, along), room = m.z - dot(m.xy, foot);
-      if (rate > 1e-6) high = min(high, room / rate);
-      else if (rate < -1e-6) low = max(low, room / rate);
-      else if (room < 0.0) return false;
-    }
-    from = o.centre + foot + low * along;
-    to = o.centre + foot + high * along;
-    return low < high;
+    normal = o.a.xy;
+    vec2 foot = o.a.xy * o.a.z, along = vec2(-o.a.y, o.a.x), part = vec2(-line_reach, line_reach);
+    cut_line(part, o.b, foot, along);
+    cut_line(part, o.c, foot, along);
+    from = o.centre + foot + part.x * along;
+    to = o.centre + foot + part.y * along;
+    return abs(o.a.z) < line_reach - 1.0 && part.x < part.y;
   }
-  vec2 a = decode_vertex(o.words[i]), b = decode_vertex(o.words[(i + 1) % 3]), c = decode_vertex(o.words[(i + 2) % 3]);
-  normal = vec2(b.y - a.y, a.x - b.x);
-  if (dot(normal, c - a) > 0.0) normal = -normal;
-  from = o.centre + a;
-  to = o.centre + b;
+  normal = vec2(o.b.y - o.a.y, o.a.x - o.b.x);
+  if (dot(normal, o.c.xy - o.a.xy) > 0.0) normal = -normal;
+  from = o.centre + o.a.xy;
+  to = o.centre + o.b.xy;
   return true;
 }
 
@@ -102,17 +116,23 @@ bool occluder_clip(Occluder o, inout vec2 from, inout vec2 to, out vec2 crossing
   return crosses || depth_from < 0.0;
 }
 
-// Whether the triangle lies before the receiver's plane anywhere in its texel: figure 9's consistent depth, compared where it is.
-bool occluder_before(Occluder o) {
+// Whether the triangle lies before the receiver's plane anywhere in its texel (figure 9's consistent depth, compared where it is):
+// at the texel's own lowest corner, or on an edge.
+bool occluder_before_at(Occluder o, vec2 at) { return occluder_depth(o, at) < -occluder_error(o, at); }
+bool occluder_corner_before(Occluder o) {
   vec2 corner = o.centre - half_texel * vec2(o.gradient.x < 0.0 ? -1.0 : 1.0, o.gradient.y < 0.0 ? -1.0 : 1.0);
-  if (occluder_depth(o, corner) < -occluder_error(o, corner) && occluder_holds(o, corner)) return true;
-  for (uint i = 0; i < 3; ++i) {
+  return occluder_before_at(o, corner) && occluder_holds(o, corner);
+}
+bool occluder_edge_before(Occluder o, vec2 from, vec2 to) {
+  vec2 within = clip_to_texel(from - o.centre, to - o.centre);
+  return within.x <= within.y &&
+         (occluder_before_at(o, mix(from, to, within.x)) || occluder_before_at(o, mix(from, to, within.y)));
+}
+bool occluder_before(Occluder o) {
+  bool before = occluder_corner_before(o);
+  for (uint i = 0; i < 3; ++i, o = occluder_turned(o)) {
     vec2 from, to, normal;
-    if (!occluder_edge(o, i, from, to, normal)) continue;
-    vec2 within = clip_to_texel(from - o.centre, to - o.centre);
-    if (within.x > within.y) continue;
-    vec2 a = mix(from, to, within.x), b = mix(from, to, within.y);
-    if (occluder_depth(o, a) < -occluder_error(o, a) || occluder_depth(o, b) < -occluder_error(o, b)) return true;
+    before = before || occluder_edge(o, from, to, normal) && occluder_edge_before(o, from, to);
   }
-  return false;
+  return before;
 }

@@ -18,14 +18,18 @@ void nearer(inout vec2 place, vec2 other) {
   if (dot(other, other) < dot(place, place)) place = other;
 }
 
-void silhouette_add(inout Silhouette s, Occluder o) {
-  bool before = o.depth < 0.0;  // its plane, at the receiver
+// Adds a triangle's edges, and tells whether it lies before the receiver's plane anywhere in its texel.
+bool silhouette_add(inout Silhouette s, Occluder o) {
+  bool covers = o.depth < 0.0;  // its plane, at the receiver
+  bool before = occluder_corner_before(o);
   vec2 first_crossing, second_crossing;
   uint crossing_count = 0;
-  for (uint i = 0; i < 3; ++i) {
+  for (uint i = 0; i < 3; ++i, o = occluder_turned(o)) {
     vec2 from, to, outward, crossing;
     bool crosses;
-    if (!occluder_edge(o, i, from, to, outward) || !occluder_clip(o, from, to, crossing, crosses)) continue;
+    if (!occluder_edge(o, from, to, outward)) continue;
+    before = before || occluder_edge_before(o, from, to);
+    if (!occluder_clip(o, from, to, crossing, crosses)) continue;
     if (crosses) {
       if (crossing_count == 0) first_crossing = crossing;
       else second_crossing = crossing;
@@ -33,10 +37,11 @@ void silhouette_add(inout Silhouette s, Occluder o) {
     }
     if (dot(outward, from) >= 0.0) continue;
     vec2 place = nearest_place(from, to);
-    if (before && !decode_silhouette(o.words[i])) s.inner = min(s.inner, dot(place, place));
+    if (covers && !decode_silhouette(o.words.x)) s.inner = min(s.inner, dot(place, place));
     else nearer(s.border, place);
   }
-  if (crossing_count == 2 && !before) nearer(s.border, nearest_place(first_crossing, second_crossing));
+  if (crossing_count == 2 && !covers) nearer(s.border, nearest_place(first_crossing, second_crossing));
+  return before;
 }
 
 // Of neighbouring edges both end at the same place: a silhouette decides then. Where all nine texels are occluded no

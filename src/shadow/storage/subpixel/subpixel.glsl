@@ -107,7 +107,7 @@ bool subpixel_candidate(MapPoint p, vec2 centre, int i) {
   float farthest = 1.0;
 #ifndef MAP_WARPED
   vec2 slope = p.gradient * p.texel;
-  farthest = min(farthest, p.depth + dot(centre + vec2(offset), slope) + 0.5 * (abs(slope.x) + abs(slope.y)));
+  farthest = min(farthest, p.depth + dot(centre + vec2(offset), slope) + half_texel * (abs(slope.x) + abs(slope.y)));
 #endif
   return texelFetch(subpixel_minimum, address, 0).r < farthest;
 }
@@ -119,8 +119,9 @@ bool subpixel_behind_silhouettes(MapPoint p, vec2 centre) {
   Silhouette s = no_silhouette;
   Occluder o;
   for (; candidates != 0; candidates &= candidates - 1) {
-    if (!subpixel_fetch(p, centre, findLSB(candidates), o) || !occluder_before(o)) continue;
-    silhouette_add(s, o);
+    Silhouette more = s;
+    if (!subpixel_fetch(p, centre, findLSB(candidates), o) || !silhouette_add(more, o)) continue;
+    s = more;
     ++occluded;
   }
   subpixel_border = s.border;
@@ -144,9 +145,9 @@ float storage_visible(MapPoint p) {
 // Under a triangle: its silhouettes, and where it passes through the receiver's plane.
 vec2 subpixel_border_under(Occluder o) {
   vec2 border = -o.depth / max(dot(o.gradient, o.gradient), 1e-30) * o.gradient;
-  for (uint i = 0; i < 3; ++i) {
+  for (uint i = 0; i < 3; ++i, o = occluder_turned(o)) {
     vec2 from, to, normal;
-    if (decode_silhouette(o.words[i]) && occluder_edge(o, i, from, to, normal)) nearer(border, nearest_place(from, to));
+    if (decode_silhouette(o.words.x) && occluder_edge(o, from, to, normal)) nearer(border, nearest_place(from, to));
   }
   return border;
 }

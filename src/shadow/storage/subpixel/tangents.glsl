@@ -32,10 +32,10 @@ void border_add_edge(inout Border border, vec2 from, vec2 to, vec2 normal) {
 
 // Adds the edges of `o` that look towards the light's side of the border.
 void border_add(inout Border border, Occluder o, vec2 normal) {
-  for (uint i = 0; i < 3; ++i) {
+  for (uint i = 0; i < 3; ++i, o = occluder_turned(o)) {
     vec2 from, to, outward, crossing;
     bool crosses;
-    if (!occluder_edge(o, i, from, to, outward) || dot(outward, normal) >= 0.0) continue;
+    if (!occluder_edge(o, from, to, outward) || dot(outward, normal) >= 0.0) continue;
     if (occluder_clip(o, from, to, crossing, crosses)) border_add_edge(border, from, to, normal);
   }
 }
