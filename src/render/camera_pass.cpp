@@ -4,6 +4,7 @@
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/gtc/packing.hpp>
 
+#include "render/octahedral.h"
 #include "render/shared.h"
 #include "shaders/camera_albedo_frag.h"
 #include "shaders/camera_albedo_vert.h"
@@ -29,16 +30,6 @@ struct ScreenMap {
     t = {x.w, y.w, w.w};
   }
 };
-
-glm::vec3 octahedral_decode(glm::vec2 p) {
-  glm::vec3 n(p, 1.0f - std::abs(p.x) - std::abs(p.y));
-  if (n.z < 0) {
-    const glm::vec2 folded = 1.0f - glm::abs(glm::vec2(n.y, n.x));
-    n.x = n.x >= 0 ? folded.x : -folded.x;
-    n.y = n.y >= 0 ? folded.y : -folded.y;
-  }
-  return glm::normalize(n);
-}
 
 }  // namespace
 
@@ -178,7 +169,8 @@ std::vector<SurfacePoint> CameraPass::surface_points(const CameraView& view) {
       std::memcpy(&normal, normals.data() + i * sizeof(uint32_t), sizeof(uint32_t));
       const double view_depth = data.depth_offset / (static_cast<double>(depth) - data.depth_scale);
       const glm::dvec3 ray = origin + static_cast<double>(x) * dx + static_cast<double>(y) * dy;
-      points[i] = {glm::vec3(glm::dvec3(data.eye) + ray * view_depth), octahedral_decode(glm::unpackSnorm2x16(normal))};
+      points[i] = {glm::vec3(glm::dvec3(data.eye) + ray * view_depth),
+                   glm::normalize(octahedral_direction(glm::unpackSnorm2x16(normal)))};
     }
   return points;
 }

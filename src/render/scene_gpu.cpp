@@ -9,7 +9,9 @@
 #include <stdexcept>
 
 #include "render/closed_bodies.h"
+#include "render/octahedral.h"
 #include "render/shared.h"
+#include "render/triangle_folds.h"
 
 namespace shadewright::render {
 
@@ -92,12 +94,6 @@ MeshClusters make_clusters(const Mesh& mesh) {
   return result;
 }
 
-glm::vec2 octahedral(const glm::vec3& n) {
-  const glm::vec2 p = glm::vec2(n) / (std::abs(n.x) + std::abs(n.y) + std::abs(n.z));
-  if (n.z >= 0) return p;
-  return (1.0f - glm::abs(glm::vec2(p.y, p.x))) * glm::vec2(p.x >= 0 ? 1.0f : -1.0f, p.y >= 0 ? 1.0f : -1.0f);
-}
-
 shared::InstanceData instance_data(const Instance& instance, const glm::dmat4& world_from_mesh) {
   const InstanceFilter kind = instance.motion ? InstanceFilter::moving : InstanceFilter::unmoving;
   return {glm::mat4x3(glm::mat4(world_from_mesh)), glm::packUnorm4x8(glm::vec4(instance.albedo, 1.0f)),
@@ -106,7 +102,7 @@ shared::InstanceData instance_data(const Instance& instance, const glm::dmat4& w
 
 uint32_t packed_normal(const Mesh& mesh, const glm::uvec3& triangle) {
   const glm::dvec3 a(mesh.positions[triangle.x]), b(mesh.positions[triangle.y]), c(mesh.positions[triangle.z]);
-  return glm::packSnorm2x16(octahedral(glm::vec3(glm::normalize(glm::cross(b - a, c - a)))));
+  return glm::packSnorm2x16(octahedral_encode(glm::vec3(glm::normalize(glm::cross(b - a, c - a)))));
 }
 
 }  // namespace
@@ -139,7 +135,7 @@ SceneGpu::SceneGpu(const gpu::Device& device, const Scene& scene, double time, u
 
   std::vector<glm::vec3> positions;
   std::vector<glm::uvec3> triangles;
-  std::vector<glm::uvec3> across;
+  TriangleFolds folds;
   std::vector<uint32_t> normals;
   std::vector<shared::ClusterData> clusters;
   std::vector<uint32_t> listed_clusters;
@@ -152,6 +148,7 @@ SceneGpu::SceneGpu(const gpu::Device& device, const Scene& scene, double time, u
     const auto base = static_cast<uint32_t>(positions.size());
     positions.insert(positions.end(), mesh.positions.begin(), mesh.positions.end());
     const MeshClusters parts = make_clusters(mesh);
+    append_folds(folds, mesh.positions, parts.triangles, parts.across);
     triangle_count_ += mesh.triangles.size() * shown.y;
     for (size_t c = 0; c < parts.first.size(); ++c) {
       const uint32_t begin = parts.first[c];
@@ -166,10 +163,6 @@ SceneGpu::SceneGpu(const gpu::Device& device, const Scene& scene, double time, u
           longest_edge =
               std::max(longest_edge, glm::distance(mesh.positions[triangle[k]], mesh.positions[triangle[(k + 1) % 3]]));
         triangles.push_back(triangle + base);
-        glm::uvec3 beyond = parts.across[t];
-        for (int k = 0; k < 3; ++k)
-          if (beyond[k] != no_vertex) beyond[k] += base;
-        across.push_back(beyond);
         normals.push_back(packed_normal(mesh, triangle));
       }
       clusters.push_back({glm::vec3(box.center()), glm::vec3(0.5 * box.size()), first_index, 3 * (end - begin), shown.x,
@@ -189,7 +182,8 @@ SceneGpu::SceneGpu(const gpu::Device& device, const Scene& scene, double time, u
 
   positions_ = gpu::make_buffer<glm::vec3>(device, "scene positions", positions);
   indices_ = gpu::make_buffer<glm::uvec3>(device, "scene indices", triangles);
-  across_ = gpu::make_buffer<glm::uvec3>(device, "scene triangle neighbours", across);
+  fold_normals_ = gpu::make_buffer<glm::uvec4>(device, "scene fold normals", folds.normals);
+  fold_offsets_ = gpu::make_buffer<glm::vec4>(device, "scene fold offsets", folds.offsets);
   normals_ = gpu::make_buffer<uint32_t>(device, "scene triangle normals", normals);
   instances_ = gpu::make_buffer<shared::InstanceData>(device, "scene instances", instances);
   clusters_ = gpu::make_buffer<shared::ClusterData>(device, "scene clusters", clusters);
@@ -281,9 +275,9 @@ std::vector<uint32_t> SceneGpu::front_to_back(const glm::dvec3& eye) const {
 }
 
 std::vector<Allocation> SceneGpu::allocations() const {
-  std::vector<Allocation> result{positions_.allocation(),      indices_.allocation(),   across_.allocation(),
-                                 normals_.allocation(),        instances_.allocation(), clusters_.allocation(),
-                                 listed_clusters_.allocation()};
+  std::vector<Allocation> result{positions_.allocation(),    indices_.allocation(),        fold_normals_.allocation(),
+                                 fold_offsets_.allocation(), normals_.allocation(),        instances_.allocation(),
+                                 clusters_.allocation(),     listed_clusters_.allocation()};
   for (const gpu::Buffer& staging : staging_) result.push_back(staging.allocation());
   return result;
 }

@@ -40,6 +40,8 @@ const uint body_closed = 0x80000000u, body_mirrored = 0x40000000u, first_triangl
 
 /// What lies across an edge where no triangle, or more than one, does.
 const uint no_vertex = 0xffffffffu;
+/// Among packed normals, which never hold these: of an edge across which there is no vertex, and of what has no area.
+const uint open_edge = 0x80008000u, no_normal = 0x80000000u;
 
 /// A few hundred neighbouring triangles of a mesh with their box in mesh space, and which instances show them.
 struct ClusterData {

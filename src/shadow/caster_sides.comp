@@ -8,24 +8,42 @@
 #include "shadow/map_point.glsl"
 #include "shadow/storage/subpixel/side.glsl"
 
-layout(local_size_x = 32) in;
-layout(set = 0, binding = 0, scalar) readonly buffer Clusters { ClusterData clusters[]; };
-layout(set = 0, binding = 1, scalar) readonly buffer ListedClusters { uint listed_clusters[]; };
-layout(set = 0, binding = 2, scalar) readonly buffer Draws { DrawCommand draws[]; };
-layout(set = 0, binding = 3, scalar) readonly buffer Visible { VisibleInstance visible[]; };
-layout(set = 0, binding = 4, scalar) readonly buffer Positions { vec3 positions[]; };
-layout(set = 0, binding = 5, scalar) readonly buffer Indices { uvec3 indices[]; };
-layout(set = 0, binding = 6, scalar) readonly buffer Neighbours { uvec3 neighbours[]; };
-layout(set = 0, binding = 7, scalar) writeonly buffer Sides { uint sides[]; };
-layout(set = 0, binding = 8, scalar) writeonly buffer KeptIndices { uvec3 kept_indices[]; };
-layout(set = 0, binding = 9, scalar) writeonly buffer KeptDraws { DrawCommand kept_draws[]; };
-layout(push_constant, scalar) uniform Push { SidesConstants constants; };
+layout(constant_id = 1) const bool light_has_position = true;  // else no plane needs its offset
 
-vec3 world_position(VisibleInstance instance, uint vertex) {
-  vec4 p = vec4(positions[vertex], 1.0);
-  return vec3(dot(instance.world_from_mesh_rows[0], p), dot(instance.world_from_mesh_rows[1], p),
-              dot(instance.world_from_mesh_rows[2], p));
-}
+layout(local_size_x = 32) in;
+layout(set = 0, binding = 0, scalar) readonly buffer Clusters {
+  ClusterData clusters[];
+};
+layout(set = 0, binding = 1, scalar) readonly buffer ListedClusters {
+  uint listed_clusters[];
+};
+layout(set = 0, binding = 2, scalar) readonly buffer Draws {
+  DrawCommand draws[];
+};
+layout(set = 0, binding = 3, scalar) readonly buffer Visible {
+  VisibleInstance visible[];
+};
+layout(set = 0, binding = 4, scalar) readonly buffer Indices {
+  uvec3 indices[];
+};
+layout(set = 0, binding = 5, scalar) readonly buffer FoldNormals {
+  uvec4 fold_normals[];
+};
+layout(set = 0, binding = 6, scalar) readonly buffer FoldOffsets {
+  vec4 fold_offsets[];
+};
+layout(set = 0, binding = 7, scalar) writeonly buffer Sides {
+  uint sides[];
+};
+layout(set = 0, binding = 8, scalar) writeonly buffer KeptIndices {
+  uvec3 kept_indices[];
+};
+layout(set = 0, binding = 9, scalar) writeonly buffer KeptDraws {
+  DrawCommand kept_draws[];
+};
+layout(push_constant, scalar) uniform Push {
+  SidesConstants constants;
+};
 
 void main() {
   uint place = gl_GlobalInvocationID.x;
@@ -36,24 +54,17 @@ void main() {
   bool shown = place - cluster.list_base < visible_count;
   uint at = constants.view * constants.list_capacity + place, first = cluster.first_index / 3;
   VisibleInstance instance = visible[at];
+  vec4 light = light_from_mesh(instance.world_from_mesh_rows);
   uint count = shown ? cluster.index_count / 3 : 0, listed = 0, word = 0;
   for (uint t = 0; t < count; ++t) {
-    uvec3 corners = indices[first + t];
-    vec3 world[3] = vec3[3](world_position(instance, corners.x), world_position(instance, corners.y),
-                            world_position(instance, corners.z));
-    bool facing = faces_light(world[0], world[1], world[2]);
+    uvec4 normals = fold_normals[first + t];
+    vec4 offsets = light_has_position ? fold_offsets[first + t] : vec4(0.0);
+    bool facing = faces_light(normals.x, offsets.x, light);
     uint side = 0;
-    if (!is_left_out(facing, instance.first_triangle)) {
-      side = side_drawn;
-      uvec3 across = neighbours[first + t];
-      for (int e = 0; e < 3; ++e) {
-        bool open = across[e] == no_vertex;
-        vec3 beyond = open ? vec3(0.0) : world_position(instance, across[e]);
-        side |= silhouette_bit(e, world, open, beyond, facing);
-      }
-    }
+    if (!is_left_out(facing, instance.first_triangle))
+      side = side_drawn | silhouette_bits(normals, offsets, light, facing);
     if (constants.compact != 0 && side == 0) continue;
-    if (constants.compact != 0) kept_indices[instance.first_listed + listed] = corners;
+    if (constants.compact != 0) kept_indices[instance.first_listed + listed] = indices[first + t];
     word |= side << (32 / sides_per_word * (listed % sides_per_word));
     if (++listed % sides_per_word == 0) {
       sides[(instance.first_listed + listed) / sides_per_word - 1] = word;

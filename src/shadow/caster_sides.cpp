@@ -19,27 +19,32 @@ CasterSides::CasterSides(const render::SceneGpu& scene, bool compacts, vk::Descr
     kept_indices_ = gpu::Buffer(device, "caster indices", index_bytes);
     kept_draws_ = gpu::Buffer(device, "caster draws", scene.list_capacity() * sizeof(shared::DrawCommand));
   }
-  pass_ = gpu::ComputePass(device, shaders::caster_sides_comp, std::vector(10, gpu::BindingKind::storage_buffer),
-                           sizeof(shared::SidesConstants), std::span(&lookup_layout, 1));
+  const auto pass = [&](bool light_has_position) {
+    return gpu::ComputePass(device, shaders::caster_sides_comp, std::vector(10, gpu::BindingKind::storage_buffer),
+                            sizeof(shared::SidesConstants), std::span(&lookup_layout, 1), 0, light_has_position);
+  };
+  directional_pass_ = pass(false);
+  positional_pass_ = pass(true);
 }
 
 void CasterSides::find(const vk::raii::CommandBuffer& commands, const render::CulledDraws& draws, uint32_t view,
-                       vk::DescriptorSet lookup_set) const {
+                       LightKind light, vk::DescriptorSet lookup_set) const {
   using gpu::Binding;
   const shared::SidesConstants constants{scene_.cluster_count(), scene_.list_capacity(), view, compacts() ? 1u : 0u};
   const std::array bindings{Binding::storage(scene_.clusters()),
                             Binding::storage(scene_.listed_clusters()),
                             Binding::storage(draws.commands()),
                             Binding::storage(draws.visible()),
-                            Binding::storage(scene_.positions()),
                             Binding::storage(scene_.indices()),
-                            Binding::storage(scene_.triangle_neighbours()),
+                            Binding::storage(scene_.fold_normals()),
+                            Binding::storage(scene_.fold_offsets()),
                             Binding::storage(sides_),
                             Binding::storage(compacts() ? kept_indices_ : sides_),
                             Binding::storage(compacts() ? kept_draws_ : sides_)};
   gpu::memory_barrier(commands);  // the view before may still be drawn
-  pass_.dispatch(commands, bindings, gpu::bytes_of(constants), {gpu::groups(constants.list_capacity, 32), 1, 1},
-                 std::span(&lookup_set, 1));
+  const gpu::ComputePass& pass = light == LightKind::directional ? directional_pass_ : positional_pass_;
+  pass.dispatch(commands, bindings, gpu::bytes_of(constants), {gpu::groups(constants.list_capacity, 32), 1, 1},
+                std::span(&lookup_set, 1));
   gpu::memory_barrier(commands);
 }
 

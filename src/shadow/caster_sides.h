@@ -16,7 +16,7 @@ class CasterSides {
   CasterSides(const render::SceneGpu& scene, bool compacts, vk::DescriptorSetLayout lookup_layout);
 
   /// Finds the sides of what `draws` has found visible in `view`. They stay until the next call.
-  void find(const vk::raii::CommandBuffer& commands, const render::CulledDraws& draws, uint32_t view,
+  void find(const vk::raii::CommandBuffer& commands, const render::CulledDraws& draws, uint32_t view, LightKind light,
             vk::DescriptorSet lookup_set) const;
   /// Whether there is a list to draw by `draw`.
   bool compacts() const { return bool{kept_draws_}; }
@@ -29,7 +29,7 @@ class CasterSides {
 
  private:
   const render::SceneGpu& scene_;
-  gpu::ComputePass pass_;
+  gpu::ComputePass directional_pass_, positional_pass_;
   gpu::Buffer sides_, kept_indices_, kept_draws_;
 };
 

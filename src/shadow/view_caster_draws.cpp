@@ -66,7 +66,7 @@ void ViewCasterDraws::draw(const vk::raii::CommandBuffer& commands, const Frame&
 
 void ViewCasterDraws::before(const vk::raii::CommandBuffer& commands, const Frame& frame, uint32_t index,
                              vk::DescriptorSet lookup_set) const {
-  if (frame.scene && sides_) sides_->find(commands, *draws_, index, lookup_set);
+  if (frame.scene && sides_) sides_->find(commands, *draws_, index, frame.light.kind, lookup_set);
 }
 
 std::vector<gpu::Binding> ViewCasterDraws::sides(const gpu::Buffer& visible) const {

@@ -55,8 +55,10 @@ class SceneGpu {
 
   const gpu::Buffer& positions() const { return positions_; }  ///< float3 a vertex, mesh space
   const gpu::Buffer& indices() const { return indices_; }      ///< uint32, cluster after cluster
-  /// uint32 x 3 a triangle: the vertex across each edge (corner to next corner), ~0 where there is no one triangle.
-  const gpu::Buffer& triangle_neighbours() const { return across_; }
+  /// What tells silhouettes, mesh space: of each triangle and those beyond its edges uint32 x 4 normals, and float4
+  /// offsets (render/triangle_folds.h).
+  const gpu::Buffer& fold_normals() const { return fold_normals_; }
+  const gpu::Buffer& fold_offsets() const { return fold_offsets_; }
   const gpu::Buffer& triangle_normals() const { return normals_; }  ///< octahedral 2 x snorm16 a triangle, mesh space
   const gpu::Buffer& instances() const { return instances_; }       ///< shared::InstanceData
   const gpu::Buffer& clusters() const { return clusters_; }         ///< shared::ClusterData
@@ -96,7 +98,7 @@ class SceneGpu {
   std::vector<glm::vec3> cluster_centers_;       ///< world, of the cluster's first instance
   std::vector<glm::uvec2> cluster_instances_;    ///< first, count
   std::vector<glm::vec3> instance_centers_;      ///< in device order
-  gpu::Buffer positions_, indices_, across_, normals_, instances_, clusters_, listed_clusters_;
+  gpu::Buffer positions_, indices_, fold_normals_, fold_offsets_, normals_, instances_, clusters_, listed_clusters_;
   std::vector<gpu::Buffer> staging_;         ///< by slot, host-written: shared::InstanceData of each moving instance
   std::vector<vk::BufferCopy> moving_runs_;  ///< from the staging to the instances: neighbours in one copy
 };

@@ -22,7 +22,8 @@ layout(set = 0, binding = 7, scalar) buffer StateOut { PageState state; };
 layout(set = 0, binding = 8, scalar) writeonly buffer Pairs { uvec3 pairs[]; };
 layout(set = 0, binding = 9, scalar) writeonly buffer Corners { vec4 corners[]; };  // in the map, homogeneous
 #ifdef PAIR_SIDES
-layout(set = 0, binding = 10, scalar) readonly buffer Neighbours { uvec3 neighbours[]; };
+layout(set = 0, binding = 10, scalar) readonly buffer FoldNormals { uvec4 fold_normals[]; };
+layout(set = 0, binding = 11, scalar) readonly buffer FoldOffsets { vec4 fold_offsets[]; };
 #endif
 layout(push_constant, scalar) uniform Push { BinConstants constants; };
 
@@ -123,17 +124,7 @@ void bin(MapTriangle t, uint triangle, uint side, PageCluster part) {
   }
 }
 
-#ifdef PAIR_SIDES
-uint triangle_side(vec3 world[3], uvec3 across, bool closed, bool facing, mat4x3 world_from_mesh) {
-  uint side = closed ? triangle_averted : 0;
-  for (int e = 0; e < 3; ++e) {
-    bool open = across[e] == no_vertex;
-    vec3 beyond = world_from_mesh * vec4(positions[open ? 0 : across[e]], 1.0);
-    side |= silhouette_bit(e, world, open, beyond, facing);
-  }
-  return side;
-}
-#else
+#ifndef PAIR_SIDES
 // Closed bodies show a sun only their facing sides: the others lie behind them on every ray.
 bool averted(vec3 a, vec3 b, vec3 c, float turn) { return turn * dot(cross(b - a, c - a), lookup.light_direction) > 0.0; }
 #endif
@@ -156,6 +147,10 @@ void main() {
     mat4x3 world_from_mesh = instances[part.instance].world_from_mesh;
     float near = paged.near[part.face];
     bool mirrored = determinant(mat3(world_from_mesh)) < 0.0, closed = (cluster.body & body_closed) != 0;
+#ifdef PAIR_SIDES
+    mat3x4 rows = transpose(world_from_mesh);
+    vec4 light = light_from_mesh(vec4[3](rows[0], rows[1], rows[2]));
+#endif
     for (uint t = gl_LocalInvocationIndex; t < cluster.index_count / 3; t += 64) {
       uint first_index = cluster.first_index + 3 * t;
       vec3 world[3];
@@ -166,9 +161,11 @@ void main() {
       }
       MapTriangle triangle;
 #ifdef PAIR_SIDES
-      bool facing = faces_light(world[0], world[1], world[2]);
+      uvec4 normals = fold_normals[first_index / 3];
+      vec4 offsets = fold_offsets[first_index / 3];
+      bool facing = faces_light(normals.x, offsets.x, light);
       if (is_left_out(facing, cluster.body | (mirrored ? body_mirrored : 0))) continue;
-      uint side = triangle_side(world, neighbours[first_index / 3], closed, facing, world_from_mesh);
+      uint side = silhouette_bits(normals, offsets, light, facing) | (closed ? triangle_averted : 0);
 #else
       const uint side = 0;
       if (closed && lookup.light_kind == light_directional && averted(world[0], world[1], world[2], mirrored ? -1.0 : 1.0)) continue;

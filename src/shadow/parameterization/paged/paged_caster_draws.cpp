@@ -78,7 +78,7 @@ void PagedCasterDraws::make_pipelines(const gpu::Device& device, const CasterPip
   };
   cull_pass_ = pass(shaders::page_cull_comp, 6, layouts);
   groups_pass_ = pass(shaders::page_bin_groups_comp, 1, {});
-  bin_pass_ = sides_ ? pass(shaders::page_bin_sides_comp, 11, layouts) : pass(shaders::page_bin_comp, 10, layouts);
+  bin_pass_ = sides_ ? pass(shaders::page_bin_sides_comp, 12, layouts) : pass(shaders::page_bin_comp, 10, layouts);
   command_pass_ = pass(shaders::page_draw_comp, 1, {});
 }
 
@@ -145,8 +145,9 @@ void PagedCasterDraws::bin(const vk::raii::CommandBuffer& commands, const Frame&
                             state,
                             Binding::storage(pairs_),
                             Binding::storage(corners_),
-                            Binding::storage(scene.triangle_neighbours())};
-  bin_pass_.dispatch_indirect(commands, std::span(bindings).first(sides_ ? 11 : 10), push, paged_.state(),
+                            Binding::storage(scene.fold_normals()),
+                            Binding::storage(scene.fold_offsets())};
+  bin_pass_.dispatch_indirect(commands, std::span(bindings).first(sides_ ? 12 : 10), push, paged_.state(),
                               offsetof(shared::PageState, bin_groups), std::span(&lookup_set, 1));
   gpu::memory_barrier(commands);
   command_pass_.dispatch(commands, std::array{state}, push, {1, 1, 1});
