@@ -6,7 +6,7 @@ out gl_PerVertex {
   vec4 gl_Position;
   float gl_ClipDistance[4];
 };
-layout(location = 7) flat out vec4 unit_texels;  // of the pool: low, high
+layout(location = 5) flat out vec4 unit_texels;  // of the pool: low, high
 
 bool caster_begin(out uint side) {
   side = pair_side(pair[0]);

@@ -10,8 +10,7 @@
 vec2 clip_to_texel(vec2 a, vec2 b) {
   vec2 d = b - a;
   vec2 inverse = 1.0 / mix(d, vec2(1e-20), lessThan(abs(d), vec2(1e-20)));
-  vec2 t0 = (-half_texel - a) * inverse, t1 = (half_texel - a) * inverse;
-  vec2 enter = min(t0, t1), leave = max(t0, t1);
+  vec2 middle = -a * inverse, reach = half_texel * abs(inverse), enter = middle - reach, leave = middle + reach;
   return vec2(max(max(enter.x, enter.y), 0.0), min(min(leave.x, leave.y), 1.0));
 }
 

@@ -27,12 +27,14 @@ vec2 decode_vertex(uint word) {
   return vec2(bitfieldExtract(int(word), 0, 15), bitfieldExtract(int(word), 16, 15)) * vertex_step;
 }
 
-// The line through an edge, its normal pointing out of the triangle, of any length; whether it is a silhouette; `spare` are 4 bits
-// more. The angle is measured around a square, not a circle, which needs no trigonometry: x falls from 1 to -1 in the upper half and
+// The line through an edge: its normal out of the triangle, of any length, as an angle; whether it is a silhouette; and 4 bits more.
+// The angle is measured around a square, not a circle, which needs no trigonometry: x falls from 1 to -1 in the upper half and
 // rises in the lower.
-uint encode_line(vec2 normal, float distance, uint silhouette, uint spare) {
+uint encode_angle(vec2 normal) {
   float x = normal.x / (abs(normal.x) + abs(normal.y));
-  uint angle = uint(int(round((normal.y < 0.0 ? x - 1.0 : 1.0 - x) * 8192.0))) & 0x7fffu;
+  return uint(int(round((normal.y < 0.0 ? x - 1.0 : 1.0 - x) * 8192.0))) & 0x7fffu;
+}
+uint encode_line(uint angle, float distance, uint silhouette, uint spare) {
   int d = int(round(clamp(distance, -line_reach, line_reach) / vertex_step));
   return angle | (silhouette << 15) | ((uint(d) & 0xfffu) << 16) | (spare << 28);
 }
