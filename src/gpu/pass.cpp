@@ -100,15 +100,16 @@ vk::raii::Sampler make_sampler(const Device& device, vk::Filter filter) {
 }
 
 ComputePass::ComputePass(const Device& device, std::span<const uint32_t> spirv, const std::vector<BindingKind>& kinds,
-                         uint32_t push_bytes, std::span<const vk::DescriptorSetLayout> sets, uint32_t first_constant,
-                         uint32_t second_constant) {
+                         uint32_t push_bytes, std::span<const vk::DescriptorSetLayout> sets,
+                         std::initializer_list<uint32_t> constants) {
   set_layout_ = make_set_layout(device, kinds, vk::ShaderStageFlagBits::eCompute, true);
   layout_ = make_layout(device, set_layout_, sets, push_bytes, vk::ShaderStageFlagBits::eCompute);
   const auto shader = make_shader(device, spirv);
-  const std::array constants{first_constant, second_constant};
-  const std::array<vk::SpecializationMapEntry, 2> entries{
-      {{0, 0, sizeof(uint32_t)}, {1, sizeof(uint32_t), sizeof(uint32_t)}}};
-  const vk::SpecializationInfo specialization(entries.size(), entries.data(), sizeof(constants), constants.data());
+  std::vector<vk::SpecializationMapEntry> entries;
+  for (uint32_t i = 0; i < constants.size(); ++i)
+    entries.emplace_back(i, static_cast<uint32_t>(i * sizeof(uint32_t)), sizeof(uint32_t));
+  const vk::SpecializationInfo specialization(static_cast<uint32_t>(entries.size()), entries.data(),
+                                              constants.size() * sizeof(uint32_t), constants.begin());
   const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *shader, "main",
                                                 &specialization);
   pipeline_ = vk::raii::Pipeline(device.handle(), nullptr, vk::ComputePipelineCreateInfo({}, stage, *layout_));

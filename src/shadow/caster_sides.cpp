@@ -21,7 +21,7 @@ CasterSides::CasterSides(const render::SceneGpu& scene, bool compacts, vk::Descr
   }
   const auto pass = [&](bool light_has_position) {
     return gpu::ComputePass(device, shaders::caster_sides_comp, std::vector(10, gpu::BindingKind::storage_buffer),
-                            sizeof(shared::SidesConstants), std::span(&lookup_layout, 1), 0, light_has_position);
+                            sizeof(shared::SidesConstants), std::span(&lookup_layout, 1), {0, light_has_position});
   };
   directional_pass_ = pass(false);
   positional_pass_ = pass(true);

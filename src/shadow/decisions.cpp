@@ -9,7 +9,8 @@
 namespace shadewright::shadow {
 
 Decisions::Decisions(const gpu::Device& device, std::vector<std::string> names, uint32_t frames_in_flight)
-    : names_(std::move(names)), counts_(device, "decisions", names_.size() * sizeof(uint32_t)) {
+    : names_(std::move(names)),
+      counts_(device, "decisions", shared::decision_banks * shared::decision_bank_words * sizeof(uint32_t)) {
   for (uint32_t slot = 0; slot < frames_in_flight; ++slot)
     read_.emplace_back(device, "decisions", counts_.size(), gpu::HostAccess::read);
 }
@@ -29,7 +30,11 @@ void Decisions::take(const vk::raii::CommandBuffer& commands, uint32_t slot) {
 Counters Decisions::counters() const {
   Counters counters;
   const auto counts = read_[last_slot_].mapped<uint32_t>();
-  for (size_t i = 0; i < names_.size(); ++i) counters[names_[i]] = {static_cast<double>(counts[i])};
+  for (size_t i = 0; i < names_.size(); ++i) {
+    uint64_t sum = 0;
+    for (size_t bank = 0; bank < shared::decision_banks; ++bank) sum += counts[bank * shared::decision_bank_words + i];
+    counters[names_[i]] = {static_cast<double>(sum)};
+  }
   return counters;
 }
 

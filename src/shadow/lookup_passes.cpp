@@ -20,7 +20,8 @@ uint32_t pass_count(const Spec& spec) {
 }  // namespace
 
 LookupPasses::LookupPasses(const gpu::Device& device, const Spec& spec, vk::Extent2D extent,
-                           std::vector<gpu::BindingKind> kinds, vk::DescriptorSetLayout lookup_layout, bool six_faces)
+                           std::vector<gpu::BindingKind> kinds, vk::DescriptorSetLayout lookup_layout, bool six_faces,
+                           uint32_t storage_constant)
     : extent_(extent) {
   const uint32_t count = pass_count(spec);
   if (count > 1) {
@@ -29,9 +30,10 @@ LookupPasses::LookupPasses(const gpu::Device& device, const Spec& spec, vk::Exte
                                 uint64_t{count - 1} * extent.width * extent.height * sizeof(uint32_t));
     kinds.push_back(gpu::BindingKind::storage_buffer);
   }
+  const auto shader = lookup_shader(spec.parameterization + "/" + spec.storage + "/" + spec.filter);
   for (uint32_t pass = 0; pass < count; ++pass)
-    passes_.emplace_back(device, lookup_shader(spec.parameterization + "/" + spec.storage + "/" + spec.filter), kinds,
-                         0, std::span(&lookup_layout, 1), six_faces, pass);
+    passes_.push_back(
+        gpu::ComputePass(device, shader, kinds, 0, std::span(&lookup_layout, 1), {six_faces, pass, storage_constant}));
 }
 
 void LookupPasses::record(const vk::raii::CommandBuffer& commands, std::vector<gpu::Binding> bindings,

@@ -13,9 +13,10 @@ namespace shadewright::shadow {
 class LookupPasses {
  public:
   LookupPasses() = default;
-  /// For images of `extent` pixels, with bindings of `kinds` in set 0; set 1 is of `lookup_layout`.
+  /// For images of `extent` pixels, with bindings of `kinds` in set 0; set 1 is of `lookup_layout`. `storage_constant`:
+  /// Storage::lookup_constant.
   LookupPasses(const gpu::Device& device, const Spec& spec, vk::Extent2D extent, std::vector<gpu::BindingKind> kinds,
-               vk::DescriptorSetLayout lookup_layout, bool six_faces);
+               vk::DescriptorSetLayout lookup_layout, bool six_faces, uint32_t storage_constant);
 
   void record(const vk::raii::CommandBuffer& commands, std::vector<gpu::Binding> bindings,
               vk::DescriptorSet lookup_set) const;

@@ -87,7 +87,7 @@ void MapTechnique::build_for(LightKind light) {
   std::vector kinds{uniform_buffer, sampled_image, sampled_image, storage_image};
   if (decisions_) kinds.push_back(storage_buffer);
   lookup_ = LookupPasses(device_, spec_, {options_.width, options_.height}, std::move(kinds), lookup_sets_.layout(),
-                         light == LightKind::point);
+                         light == LightKind::point, storage_->lookup_constant());
   built_for_ = light;
   write_lookup_sets();
 }
@@ -190,7 +190,7 @@ std::optional<OracleRays> MapTechnique::oracle_rays(const Frame& frame) {
   const gpu::ComputePass pass(
       device_, oracle_shader(spec_.parameterization),
       {uniform_buffer, sampled_image, sampled_image, storage_buffer, storage_buffer, storage_buffer}, 0,
-      std::span(&lookup_layout, 1), frame.light.kind == LightKind::point);
+      std::span(&lookup_layout, 1), {frame.light.kind == LightKind::point});
   const size_t pixels = size_t{options_.width} * options_.height;
   const uint64_t bytes = pixels * sizeof(glm::vec3);
   const gpu::Buffer origins(device_, "oracle origins", bytes), texel_u(device_, "oracle texels", bytes),

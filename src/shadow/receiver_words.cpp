@@ -8,7 +8,7 @@ std::vector<uint32_t> receiver_words(const gpu::Device& device, std::span<const 
                                      const ReceiverLookup& lookup, bool six_faces) {
   using enum gpu::BindingKind;
   const gpu::ComputePass pass(device, spirv, {uniform_buffer, sampled_image, sampled_image, storage_buffer}, 0,
-                              std::span(&lookup.layout, 1), six_faces);
+                              std::span(&lookup.layout, 1), {six_faces});
   std::vector<uint32_t> words(size_t{lookup.width} * lookup.height);
   const uint64_t bytes = words.size() * sizeof(uint32_t);
   const gpu::Buffer answers(device, "answers of receivers", bytes);

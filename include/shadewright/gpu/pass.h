@@ -45,13 +45,13 @@ void write_set(const Device& device, vk::DescriptorSet set, uint32_t first, std:
 vk::raii::Sampler make_sampler(const Device& device, vk::Filter filter);
 
 /// One compute shader whose set 0 is pushed at each dispatch. `sets` are further layouts (set 1, ...) that the caller
-/// binds; the constants are the shader's specialization constants 0 and 1, if it has them.
+/// binds; `constants` are the shader's specialization constants 0, 1, ..., as far as it has them.
 class ComputePass {
  public:
   ComputePass() = default;
   ComputePass(const Device& device, std::span<const uint32_t> spirv, const std::vector<BindingKind>& kinds,
-              uint32_t push_bytes = 0, std::span<const vk::DescriptorSetLayout> sets = {}, uint32_t first_constant = 0,
-              uint32_t second_constant = 0);
+              uint32_t push_bytes = 0, std::span<const vk::DescriptorSetLayout> sets = {},
+              std::initializer_list<uint32_t> constants = {});
 
   /// Binds, pushes and dispatches `groups` work groups. `push` must have the size given at construction.
   void dispatch(const vk::raii::CommandBuffer& commands, std::span<const Binding> bindings,

@@ -295,7 +295,7 @@ void Precomputed::make_pass() {
   const vk::DescriptorSetLayout layout = lookup_sets_.layout();
   pass_ =
       gpu::ComputePass(device_, shader, {uniform_buffer, sampled_image, sampled_image, storage_image, sampled_image}, 0,
-                       std::span(&layout, 1), variant);
+                       std::span(&layout, 1), {variant});
 }
 
 void Precomputed::write_constants(const Frame& frame) {

@@ -28,6 +28,8 @@ class Storage {
   virtual void record(const Frame& frame, vk::DescriptorSet lookup_set, gpu::Recorder& recorder) = 0;
   /// What the GLSL module reads, bound from `storage_binding` on; of the kinds that its traits tell.
   virtual std::vector<gpu::Binding> lookup_bindings() const = 0;
+  /// What the GLSL module may know already when it is compiled: specialization constant 2 of a look-up. 0: nothing.
+  virtual uint32_t lookup_constant() const { return 0; }
   virtual std::vector<Allocation> allocations() const = 0;
   virtual Counters counters() const { return {}; }
   /// The debug picture of a name that is one of its traits' `debug_names`, of the last recorded frame. Waits.

@@ -4,7 +4,7 @@
 // farther away than that, the pixel's larger part differs from its middle in truth too: there a filter is "wrong" where `hard` is right.
 #define FILTER_FOOTPRINT 1
 #define FILTER_PASSES 2
-#include "shadow/filter/passes.glsl"
+#define FILTER_DECISIONS(pass) (pass == 0 ? uvec2(1) : uvec2(1, STORAGE_DECISIONS))
 
 // How far a step of one pixel moves the receiver over its plane, world space: the caller's business.
 vec3 filter_step_x, filter_step_y;
@@ -63,8 +63,8 @@ float filter_deferred(vec3 world, vec4 plane) {
   return at_once ? footprint_visible(f, lit, storage_border(p, lit)) : lit / float(aa_count);
 }
 
-uint filter_pass(uint pass, vec3 world, vec4 plane, out float visible) {
-  if (pass == 0) return filter_quick(world, plane, visible) ? filter_done : 1;
+bool filter_pass(uint pass, vec3 world, vec4 plane, out float visible) {
+  if (pass == 0) return filter_quick(world, plane, visible);
   visible = filter_deferred(world, plane);
-  return filter_done;
+  return true;
 }

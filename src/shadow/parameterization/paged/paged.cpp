@@ -346,15 +346,15 @@ void Paged::make_passes(vk::DescriptorSetLayout lookup_layout) {
   const auto of_pixels = [&](std::span<const uint32_t> spirv, size_t buffers) {
     std::vector kinds{uniform_buffer, sampled_image, sampled_image};
     kinds.insert(kinds.end(), buffers, storage_buffer);
-    return gpu::ComputePass(device_, spirv, kinds, 0, layouts, six_faces);
+    return gpu::ComputePass(device_, spirv, kinds, 0, layouts, {six_faces});
   };
   requests_pass_ = of_pixels(shaders::page_requests_comp, 3);
   if (edges_) edges_pass_ = of_pixels(shaders::page_edges_comp, 3);
   statistics_pass_ = of_pixels(shaders::page_statistics_comp, 2);
   allocate_pass_ =
-      gpu::ComputePass(device_, shaders::page_allocate_comp, std::vector(9, storage_buffer), 0, layouts, six_faces);
-  invalidate_pass_ =
-      gpu::ComputePass(device_, shaders::page_invalidate_comp, {storage_buffer, storage_buffer}, 0, layouts, six_faces);
+      gpu::ComputePass(device_, shaders::page_allocate_comp, std::vector(9, storage_buffer), 0, layouts, {six_faces});
+  invalidate_pass_ = gpu::ComputePass(device_, shaders::page_invalidate_comp, {storage_buffer, storage_buffer}, 0,
+                                      layouts, {six_faces});
 }
 
 void Paged::empty_requests(const vk::raii::CommandBuffer& commands) {
@@ -484,7 +484,7 @@ Picture Paged::debug_picture(std::string_view name, const ReceiverLookup& lookup
 Picture Paged::page_use(const ReceiverLookup& lookup) const {
   using enum gpu::BindingKind;
   const gpu::ComputePass pass(device_, shaders::page_use_comp, {storage_buffer, storage_buffer}, 0,
-                              std::span(&lookup.layout, 1), faces_ == 6);
+                              std::span(&lookup.layout, 1), {faces_ == 6});
   const uint32_t side = 1u << top_;
   Picture picture{side + side / 2, side * faces_, {}};
   picture.pixels.resize(size_t{picture.width} * picture.height);

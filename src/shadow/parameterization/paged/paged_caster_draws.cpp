@@ -74,7 +74,8 @@ void PagedCasterDraws::make_pipelines(const gpu::Device& device, const CasterPip
   const std::span layouts(&desc.lookup_layout, 1);
   const auto pass = [&](std::span<const uint32_t> spirv, size_t buffers,
                         std::span<const vk::DescriptorSetLayout> sets) {
-    return gpu::ComputePass(device_, spirv, std::vector(buffers, storage_buffer), sizeof(constants_), sets, six_faces_);
+    return gpu::ComputePass(device_, spirv, std::vector(buffers, storage_buffer), sizeof(constants_), sets,
+                            {six_faces_});
   };
   cull_pass_ = pass(shaders::page_cull_comp, 6, layouts);
   groups_pass_ = pass(shaders::page_bin_groups_comp, 1, {});

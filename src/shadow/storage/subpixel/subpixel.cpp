@@ -43,6 +43,7 @@ gpu::Buffer make_constants(const gpu::Device& device, const Spec& spec) {
 
 SubpixelStorage::SubpixelStorage(const gpu::Device& device, const StorageDesc& desc)
     : device_(device),
+      recovery_(recovery(desc.spec.choice("recovery"))),
       slopes_(make_slopes(device, desc.spec)),
       constants_(make_constants(device, desc.spec)),
       tangents_(make_tangents(device)),
@@ -75,7 +76,8 @@ Picture SubpixelStorage::debug_picture(std::string_view) {
 }
 
 std::vector<Allocation> SubpixelStorage::allocations() const {
-  return {triangles_.allocation(), minimum_.allocation(), slopes_.allocation(), constants_.allocation(), tangents_.allocation()};
+  return {triangles_.allocation(), minimum_.allocation(), slopes_.allocation(), constants_.allocation(),
+          tangents_.allocation()};
 }
 
 }  // namespace shadewright::shadow

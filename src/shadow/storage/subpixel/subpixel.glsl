@@ -10,6 +10,10 @@
 #define STORAGE_PASSES 1
 #define STORAGE_DECISIONS 3  // so many ways to come to an answer, from 1 on; `storage_decision` tells which
 
+// SubpixelConstants::recovery + 1 where it is known when the look-up is compiled, which leaves the other way out.
+layout(constant_id = 2) const uint known_recovery = 0;
+uint subpixel_recovery() { return known_recovery == 0 ? subpixel.recovery : known_recovery - 1; }
+
 // How the last receiver was decided (figure 14), by which of the 3x3 texels, and the nearest place of the shadow's border that recovery
 // found, in texels from the receiver.
 uint storage_decision;
@@ -96,7 +100,7 @@ bool storage_near(MapPoint p, out float visible) {
       return true;
   }
   visible = 1.0;
-  return subpixel.recovery == recovery_off;
+  return subpixel_recovery() == recovery_off;
 }
 
 // Whether anything in texel `i` may lie before the receiver's plane.
@@ -132,7 +136,7 @@ bool subpixel_behind_silhouettes(MapPoint p, vec2 centre) {
 float storage_recover(MapPoint p) {
   storage_decision = decided_by_recovery;
   vec2 centre = subpixel_centre(p);
-  bool behind = subpixel.recovery == recovery_tangents ? subpixel_behind_tangents(p, centre) : subpixel_behind_silhouettes(p, centre);
+  bool behind = subpixel_recovery() == recovery_tangents ? subpixel_behind_tangents(p, centre) : subpixel_behind_silhouettes(p, centre);
   return behind ? 0.0 : 1.0;
 }
 
