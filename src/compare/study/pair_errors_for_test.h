@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "render/closed_bodies.h"
 #include "shadewright/compare/metrics.h"
 #include "shadewright/render/camera_pass.h"
 #include "shadewright/shadow/technique.h"
@@ -24,7 +25,9 @@ class PairErrors {
         height_(height),
         scene_(device, scene),
         tracer_(scene),
+        seen_(scene),
         camera_pass_(scene_, width, height, false) {
+    for (const Mesh& mesh : scene.meshes) closed_.push_back(render::mesh_topology(mesh).closed);
     for (const std::string& spec : specs)
       techniques_.push_back(shadow::make_technique(device, shadow::parse_spec(spec), {width, height, 1, true}));
   }
@@ -80,6 +83,29 @@ class PairErrors {
     return results;
   }
 
+  /// Of what the camera sees the share that is the inner side of a closed body: in free space it sees none.
+  double inner_share(const Camera& camera) const {
+    const PixelGrid grid{width_, height_, camera};
+    const std::vector<PrimaryHit> hits = tracer_.primary(grid, camera.near);
+    double seen = 0, inner = 0;
+    for (uint32_t i = 0; i < hits.size(); ++i) {
+      const PrimaryHit& hit = hits[i];
+      if (!(hit.distance > 0)) continue;
+      seen += 1;
+      const Instance& instance = seen_.instances[hit.instance];
+      if (closed_[instance.mesh][hit.triangle] == 0) continue;
+      const Mesh& mesh = seen_.meshes[instance.mesh];
+      const glm::uvec3& corners = mesh.triangles[hit.triangle];
+      const auto corner = [&](uint32_t v) { return glm::dvec3(mesh.positions[v]); };
+      // The mesh's own outward normal; dot(normal, ray) keeps its sign in the mesh's space.
+      const glm::dvec3 outwards =
+          glm::cross(corner(corners.y) - corner(corners.x), corner(corners.z) - corner(corners.x));
+      const glm::dvec3 ray = grid.ray(i % width_ + 0.5, i / width_ + 0.5);
+      inner += glm::dot(outwards, glm::inverse(glm::dmat3(transform_at(seen_, instance, 0))) * ray) > 0;
+    }
+    return seen > 0 ? inner / seen : 0;
+  }
+
  private:
   std::vector<uint8_t> free_segments(const std::vector<glm::vec3>& origins, const std::vector<uint8_t>& facing,
                                      const Light& light) const {
@@ -114,6 +140,8 @@ class PairErrors {
   uint32_t width_, height_;
   render::SceneGpu scene_;
   Tracer tracer_;
+  const Scene& seen_;
+  std::vector<std::vector<uint8_t>> closed_;  ///< by mesh and triangle
   render::CameraPass camera_pass_;
   std::vector<std::unique_ptr<shadow::Technique>> techniques_;
 };
