@@ -73,6 +73,21 @@ TEST_F(StudyTest, SubPixelMapsPlaceEdgesWithinTexels) {
   }
 }
 
+/// Where bodies are thinner than texels and lie in many layers, most of what covers a receiver is not kept: no lit
+/// specks for all that.
+TEST_F(StudyTest, SubPixelShadowsOfClutterHaveNoLitSpecks) {
+  for (const auto& [name, camera] : {std::pair("furball", "wall"), {"playground", "main"}, {"trees", "wide"}}) {
+    const Scene scene = make_builtin(name);
+    Study study(device(), scene, find_camera(scene, camera), scene.lights.front(), {320, 180, 0, 0, true});
+    for (const char* spec : {"spsm@2048", "perspective/subpixel@1024"}) {
+      SCOPED_TRACE(std::string(name) + " " + spec);
+      const ErrorFigures error = run(study, spec).result.error;
+      EXPECT_LE(error.interior_false_lit, 4u);
+      EXPECT_LE(error.false_lit, error.false_shadow);
+    }
+  }
+}
+
 /// The border that one look-up found serves the whole pixel, and pixels tell how they were decided.
 TEST_F(StudyTest, SubPixelMapsSmoothTheirEdges) {
   const Scene scene = make_builtin("spheres");

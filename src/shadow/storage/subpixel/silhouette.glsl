@@ -5,9 +5,10 @@
 struct Silhouette {
   vec2 border;  // the nearest place where a surface ends: texels from the receiver,
   float inner;  // and how far the nearest edge is, squared, beyond which one goes on towards the receiver
+  uint ends, goes_on;  // how many silhouettes and how many such edges are turned towards the receiver
 };
 const float silhouette_none = 1e4;  // texels: out of sight
-const Silhouette no_silhouette = Silhouette(vec2(silhouette_none), 4.0 * silhouette_none * silhouette_none);
+const Silhouette no_silhouette = Silhouette(vec2(silhouette_none), 4.0 * silhouette_none * silhouette_none, 0, 0);
 
 vec2 nearest_place(vec2 from, vec2 to) {
   vec2 along = to - from;
@@ -37,15 +38,24 @@ bool silhouette_add(inout Silhouette s, Occluder o) {
     }
     if (dot(outward, from) >= 0.0) continue;
     vec2 place = nearest_place(from, to);
-    if (covers && !decode_silhouette(o.words.x)) s.inner = min(s.inner, dot(place, place));
-    else nearer(s.border, place);
+    bool ends = decode_silhouette(o.words.x);
+    if (ends) ++s.ends;
+    if (covers && !ends) {
+      ++s.goes_on;
+      s.inner = min(s.inner, dot(place, place));
+    } else {
+      nearer(s.border, place);
+    }
   }
   if (crossing_count == 2 && !covers) nearer(s.border, nearest_place(first_crossing, second_crossing));
   return before;
 }
 
-// Of neighbouring edges both end at the same place: a silhouette decides then. Where all nine texels are occluded no
-// silhouette but that of what lies before the surface is likely to be in sight.
+// Of neighbouring edges both end at the same place: a silhouette decides then. A surface that passes through the receiver's plane nearby ends
+// nothing where all edges that look at the receiver go on. Where all nine texels are occluded bodies may be smaller than texels, and what
+// covers the receiver is often not kept: the nearest edge tells little there, but how many of the edges are silhouettes does. Of such
+// receivers of eight scenes most lay in shadow with up to two silhouettes for each other edge, and 10 to 30 % with silhouettes alone.
 bool silhouette_shadows(Silhouette s, bool all_occluded) {
-  return s.inner < dot(s.border, s.border) - 1e-4 || (all_occluded && s.inner < no_silhouette.inner);
+  if (s.inner < dot(s.border, s.border) - 1e-4) return true;
+  return s.goes_on > 0 && s.ends == 0 || all_occluded && 2 * s.goes_on >= s.ends;
 }
