@@ -14,7 +14,30 @@
 layout(constant_id = 0) const bool six_faces = false;
 
 layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 0, scalar) uniform MapViews { MapViewData map_views[max_map_views]; };
+// Before its first branch a CPU device reads a uniform once for a subgroup, behind one lane by lane, which took half of a look-up's
+// time. A shader with SHADEWRIGHT_LOADS_FIRST copies what its modules read by load_...() as the first thing it does.
+#ifdef SHADEWRIGHT_LOADS_FIRST
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 1, scalar) uniform Lookup { LookupData lookup_uniform; };
+LookupData lookup;
+MapViewData map_first_view;
+void load_lookup() {
+  lookup = lookup_uniform;
+  map_first_view = map_views[0];
+}
+#else
 layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 1, scalar) uniform Lookup { LookupData lookup; };
+#define map_first_view map_views[0]
+#endif
+
+// The view of a layer or face. A module with several for each light defines MAP_SEVERAL_VIEWS before this.
+MapViewData map_view(uint index) {
+#ifdef MAP_SEVERAL_VIEWS
+  return map_views[index];
+#else
+  if (six_faces) return map_views[index];
+  return map_first_view;
+#endif
+}
 
 struct MapPoint {
   vec2 uv;          // over the layer, v down

@@ -2,7 +2,16 @@
 #include "render/camera.glsl"
 #include "render/octahedral.glsl"
 
+#ifdef SHADEWRIGHT_LOADS_FIRST  // see map_point.glsl
+layout(set = 0, binding = 0, scalar) uniform Camera { CameraData camera_uniform; };
+CameraData camera;
+void load_receivers() {
+  load_lookup();
+  camera = camera_uniform;
+}
+#else
 layout(set = 0, binding = 0, scalar) uniform Camera { CameraData camera; };
+#endif
 layout(set = 0, binding = 1) uniform sampler2D camera_depth;
 layout(set = 0, binding = 2) uniform sampler2D camera_normal;
 

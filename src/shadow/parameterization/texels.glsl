@@ -4,7 +4,7 @@
 ivec2 map_texel(MapPoint p) { return ivec2(floor(p.uv * lookup.map_size)); }
 
 // Map depth that a texel's width along the light makes.
-float map_slope_unit(MapPoint p) { return map_views[p.layer].slope_unit; }
+float map_slope_unit(MapPoint p) { return map_view(p.layer).slope_unit; }
 
 // The texel at p's own plus `offset`; false outside the layer.
 bool map_fetch(MapPoint p, ivec2 offset, out ivec3 address) {

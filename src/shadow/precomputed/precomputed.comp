@@ -3,6 +3,7 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_EXT_buffer_reference : require
 #extension GL_GOOGLE_include_directive : require
+#define SHADEWRIGHT_LOADS_FIRST 1
 #include "shadow/precomputed/precomputed.glsl"
 #include "shadow/receivers.glsl"
 
@@ -13,6 +14,7 @@ layout(set = 0, binding = 4) uniform sampler2D moving_visibility;  // of casters
 const bool with_moving = (variant & 0x1000u) != 0u;
 
 void main() {
+  load_receivers();
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(pixel, ivec2(camera.size)))) return;
   Receiver r = receiver_at(pixel);

@@ -30,7 +30,13 @@ const bool fixed_order = (variant & 0x400u) != 0u, one_window = (variant & 0x800
 const bool leaf_by_leaf = (variant & 0x2000u) != 0u;
 
 layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 0, scalar) uniform Precomputed { PrecomputedData precomputed; };
+#ifdef SHADEWRIGHT_LOADS_FIRST  // see map_point.glsl
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 1, scalar) uniform Lookup { LookupData lookup_uniform; };
+LookupData lookup;
+void load_lookup() { lookup = lookup_uniform; }
+#else
 layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 1, scalar) uniform Lookup { LookupData lookup; };
+#endif
 layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 2, scalar) uniform Rows { ReceiverRows rows; };
 
 #if defined(PRECOMPUTED_IMAGE)

@@ -2,6 +2,7 @@
 // section 1).
 // A receiver takes the first cascade whose map holds it and all that a filter reads around it, whatever its depth in the view:
 // cascades reach beyond their slices, so that more receivers get fine texels, and no filter ever crosses from map to map.
+#define MAP_SEVERAL_VIEWS 1
 #include "shadow/map_point.glsl"
 #include "shadow/parameterization/cascaded/shared.h"
 

@@ -39,7 +39,7 @@ uint point_face(MapPoint p) { return p.layer >> (place_bits + entry_level_bits);
 uint paged_face(vec3 world) { return six_faces ? cube_face(world - lookup.light_position) : 0; }
 
 vec2 paged_uv(vec3 world, uint face) {
-  vec4 q = map_views[face].map_from_world * vec4(world, 1.0);
+  vec4 q = map_view(face).map_from_world * vec4(world, 1.0);
   return q.xy / q.w;
 }
 
@@ -52,7 +52,7 @@ float map_level(vec3 world, vec4 plane) {
   facing = abs(facing) < 1e-20 ? 1e-20 : facing;
   vec3 world_x = depth * (paged.pixel_x - ray * (dot(plane.xyz, paged.pixel_x) / facing));
   vec3 world_y = depth * (paged.pixel_y - ray * (dot(plane.xyz, paged.pixel_y) / facing));
-  mat4 m = map_views[face].map_from_world;
+  mat4 m = map_view(face).map_from_world;
   vec4 q = m * vec4(world, 1.0);
   vec3 x = vec3(m[0].xy, m[0].w) * world_x.x + vec3(m[1].xy, m[1].w) * world_x.y + vec3(m[2].xy, m[2].w) * world_x.z;
   vec3 y = vec3(m[0].xy, m[0].w) * world_y.x + vec3(m[1].xy, m[1].w) * world_y.y + vec3(m[2].xy, m[2].w) * world_y.z;
@@ -77,7 +77,7 @@ MapPoint map_point_at(vec3 world, vec4 plane, uint level) {
   uint face = paged_face(world);
   uint entry = find_page(face, level, paged_uv(world, face));
   uint found = entry == no_page ? level : entry_level(entry);
-  MapPoint p = map_project(map_views[face], 0, world, plane, vec2(1.0 / level_size(found)));
+  MapPoint p = map_project(map_view(face), 0, world, plane, vec2(1.0 / level_size(found)));
   p.layer = entry_place(entry) | found << place_bits | face << (place_bits + entry_level_bits);
   p.valid = p.valid && entry != no_page;
   return p;
@@ -86,7 +86,7 @@ MapPoint map_point_at(vec3 world, vec4 plane, uint level) {
 MapPoint map_point(vec3 world, vec4 plane) { return map_point_at(world, plane, uint(map_level(world, plane))); }
 
 vec3 map_unproject(MapPoint p, vec2 uv, float depth) {
-  return map_unproject_view(map_views[six_faces ? point_face(p) : 0], uv, depth);
+  return map_unproject_view(map_view(point_face(p)), uv, depth);
 }
 
 // The place `uv` of p's face on the receiver's plane, which is near p: answered by the page that holds it.
@@ -113,7 +113,7 @@ MapPoint map_tap(MapPoint p, vec2 uv) {
 ivec2 map_texel(MapPoint p) { return ivec2(floor(p.uv * level_size(point_level(p)))); }
 
 // Map depth that a texel's width along the light makes: a view tells that of a map of the pool's size.
-float level_slope_unit(uint face, uint level) { return map_views[face].slope_unit * lookup.map_size.x / level_size(level); }
+float level_slope_unit(uint face, uint level) { return map_view(face).slope_unit * lookup.map_size.x / level_size(level); }
 float map_slope_unit(MapPoint p) { return level_slope_unit(point_face(p), point_level(p)); }
 
 // The texel at p's own plus `offset`, on whichever page it is; false where no page of p's level has it.

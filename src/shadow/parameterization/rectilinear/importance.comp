@@ -3,6 +3,7 @@
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
+#define SHADEWRIGHT_LOADS_FIRST 1
 #include "shadow/map_point.glsl"
 #include "shadow/receivers.glsl"
 #include "shadow/parameterization/rectilinear/shared.h"
@@ -19,7 +20,7 @@ shared uint low_inverted[2], high[2];
 void sample_pixel(ivec2 pixel, Orientation o, bool add) {
   Receiver r = receiver_at(pixel);
   if (!r.facing) return;
-  vec4 q = map_views[0].map_from_world * vec4(r.world, 1.0);
+  vec4 q = map_first_view.map_from_world * vec4(r.world, 1.0);
   vec3 map = q.xyz / q.w;
   vec2 value = importance(camera, camera_view_depth(camera, texelFetch(camera_depth, pixel, 0).r), r, map, o, constants);
   if ((constants.functions & importance_edges) != 0) {
@@ -32,6 +33,7 @@ void sample_pixel(ivec2 pixel, Orientation o, bool add) {
 void main() {
   if (gl_LocalInvocationIndex < 2) low_inverted[gl_LocalInvocationIndex] = high[gl_LocalInvocationIndex] = 0;
   barrier();
+  load_receivers();
   ivec2 first = ivec2(gl_GlobalInvocationID.xy) * tile, size = ivec2(camera.size);
   Orientation o = chosen_orientation();
   vec2 depths = vec2(1.0 / 0.0, -1.0 / 0.0);  // least, greatest
@@ -53,7 +55,7 @@ void main() {
     float nearest = camera_view_depth(camera, depths.x), farthest = camera_view_depth(camera, depths.y);
     for (int i = 0; i < 8; ++i) {
       vec3 ray = camera_ray(camera, vec2(first + ivec2(i & 1, (i >> 1) & 1) * tile));
-      vec4 q = map_views[0].map_from_world * vec4(camera.eye + ray * (i < 4 ? nearest : farthest), 1.0);
+      vec4 q = map_first_view.map_from_world * vec4(camera.eye + ray * (i < 4 ? nearest : farthest), 1.0);
       vec2 whole = whole_of(o, q.xy / q.w);
       low = q.w > 0.0 ? min(low, whole) : vec2(0.0);
       high_here = q.w > 0.0 ? max(high_here, whole) : vec2(1.0);

@@ -14,7 +14,7 @@ float surface_normal(vec3 normal, vec3 to_eye, float weight) {
 
 // Pixels that a step across the map moves the light's ray on the receiver's plane: what DE and SN stand for, exactly.
 vec2 pixels_a_step(CameraData camera, vec3 world, vec3 normal, vec3 ray, vec3 map, Orientation o) {
-  mat4 world_from_map = map_views[0].world_from_map;
+  mat4 world_from_map = map_first_view.world_from_map;
   vec4 q = world_from_map * vec4(map, 1.0);
   vec3 along_u = (world_from_map[0].xyz - world * world_from_map[0].w) / q.w, along_v = (world_from_map[1].xyz - world * world_from_map[1].w) / q.w;
   mat2 map_from_whole = inverse(transpose(mat2(o.u.xy, o.v.xy)));

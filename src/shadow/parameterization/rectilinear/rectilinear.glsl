@@ -41,7 +41,7 @@ vec2 flat_from_map(vec2 map) {
 }
 
 MapPoint map_point(vec3 world, vec4 plane) {
-  MapPoint p = map_project(map_views[0], 0, world, plane, vec2(0.0));
+  MapPoint p = map_project(map_first_view, 0, world, plane, vec2(0.0));
   vec2 at_flat = flat_from_map(p.uv);
   WarpSegment u, v;
   vec2 warped = vec2(warp_axis(0, at_flat.x, u), warp_axis(1, at_flat.y, v));
@@ -105,7 +105,7 @@ vec2 map_flat(MapPoint p, vec2 uv) { return vec2(unwarp_axis(0, uv.x), unwarp_ax
 
 vec3 map_unproject(MapPoint p, vec2 uv, float depth) {
   vec3 at_flat = vec3(map_flat(p, uv), 1.0);
-  return map_unproject_view(map_views[0], vec2(dot(warp.map_from_flat[0], at_flat), dot(warp.map_from_flat[1], at_flat)), depth);
+  return map_unproject_view(map_first_view, vec2(dot(warp.map_from_flat[0], at_flat), dot(warp.map_from_flat[1], at_flat)), depth);
 }
 
 #include "shadow/parameterization/texels.glsl"

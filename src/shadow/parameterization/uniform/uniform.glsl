@@ -7,9 +7,9 @@
 
 MapPoint map_point(vec3 world, vec4 plane) {
   uint layer = six_faces ? cube_face(world - lookup.light_position) : 0;
-  return map_project(map_views[layer], layer, world, plane, 1.0 / lookup.map_size);
+  return map_project(map_view(layer), layer, world, plane, 1.0 / lookup.map_size);
 }
 
-vec3 map_unproject(MapPoint p, vec2 uv, float depth) { return map_unproject_view(map_views[six_faces ? p.layer : 0], uv, depth); }
+vec3 map_unproject(MapPoint p, vec2 uv, float depth) { return map_unproject_view(map_view(p.layer), uv, depth); }
 
 #include "shadow/parameterization/layered.glsl"

@@ -6,7 +6,14 @@
 layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 2) uniform usampler2DArray subpixel_map;
 layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 3) uniform sampler2DArray subpixel_minimum;  // consistent minimum depth
 layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 4, scalar) uniform SubpixelSlopeTable { SubpixelSlopes subpixel_slopes; };
+#ifdef SHADEWRIGHT_LOADS_FIRST
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 5, scalar) uniform SubpixelConstant { SubpixelConstants subpixel_uniform; };
+SubpixelConstants subpixel;
+void load_storage() { subpixel = subpixel_uniform; }
+#define STORAGE_LOADS 1
+#else
 layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 5, scalar) uniform SubpixelConstant { SubpixelConstants subpixel; };
+#endif
 
 struct Occluder {
   uvec3 words;
