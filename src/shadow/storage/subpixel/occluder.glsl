@@ -25,6 +25,7 @@ struct Occluder {
   vec2 gradient;    // of that
   vec2 error;       // how far the gradient may be off,
   float tolerance;  // and the depth at the texel's centre
+  float unit;       // map depth of a texel's width along the light
 };
 
 // `minimum` is the texel's, not 1.
@@ -54,6 +55,7 @@ Occluder occluder_at(ivec3 address, vec2 centre, float minimum, MapPoint p) {
   float depth = coding.absolute_depth != 0 ? float(texel.a & 0xffffu) / 65535.0
                                            : minimum + reach * (float(texel.a & 0x3ffu) / 511.0 - 1.0);
   vec2 slope = unit * vec2(x.slope, y.slope);
+  o.unit = unit;
   o.depth = depth - dot(centre, slope) - p.depth;  // equation 1
   o.gradient = slope - p.gradient * p.texel;
   o.error = lookup.bias_scale * unit * vec2(x.error, y.error);

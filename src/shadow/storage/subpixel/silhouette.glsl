@@ -19,6 +19,11 @@ void nearer(inout vec2 place, vec2 other) {
   if (dot(other, other) < dot(place, place)) place = other;
 }
 
+// Whether what goes on beyond an edge, at its place nearest to the receiver, may be taken to be before the receiver's plane still when it
+// gets there: not where a surface of this slope would have passed through, as the walls below a ledge do, whose parts no texel kept.
+const float steep_slope = 2.0;
+bool reaches_receiver(Occluder o, vec2 place) { return -occluder_depth(o, place) >= steep_slope * o.unit * length(place); }
+
 // Adds a triangle's edges, and tells whether it lies before the receiver's plane anywhere in its texel.
 bool silhouette_add(inout Silhouette s, Occluder o) {
   bool covers = o.depth < 0.0;  // its plane, at the receiver
@@ -40,7 +45,7 @@ bool silhouette_add(inout Silhouette s, Occluder o) {
     vec2 place = nearest_place(from, to);
     bool ends = decode_silhouette(o.words.x);
     if (ends) ++s.ends;
-    if (covers && !ends) {
+    if (covers && !ends && reaches_receiver(o, place)) {
       ++s.goes_on;
       s.inner = min(s.inner, dot(place, place));
     } else {
