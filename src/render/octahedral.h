@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <glm/glm.hpp>
+#include <glm/gtc/packing.hpp>
 
 namespace shadewright::render {
 
@@ -14,6 +16,11 @@ inline glm::vec2 octahedral_fold(const glm::vec2& p) {
 inline glm::vec2 octahedral_encode(const glm::vec3& n) {
   const glm::vec2 p = glm::vec2(n) / (std::abs(n.x) + std::abs(n.y) + std::abs(n.z));
   return n.z >= 0 ? p : octahedral_fold(p);
+}
+
+/// The direction of a vector of any length but 0, as 2 x snorm16.
+inline uint32_t octahedral_packed(const glm::dvec3& v) {
+  return glm::packSnorm2x16(octahedral_encode(glm::vec3(glm::normalize(v))));
 }
 
 /// The vector's direction; its length is between 0.57 and 1.

@@ -102,7 +102,7 @@ shared::InstanceData instance_data(const Instance& instance, const glm::dmat4& w
 
 uint32_t packed_normal(const Mesh& mesh, const glm::uvec3& triangle) {
   const glm::dvec3 a(mesh.positions[triangle.x]), b(mesh.positions[triangle.y]), c(mesh.positions[triangle.z]);
-  return glm::packSnorm2x16(octahedral_encode(glm::vec3(glm::normalize(glm::cross(b - a, c - a)))));
+  return octahedral_packed(glm::cross(b - a, c - a));
 }
 
 }  // namespace

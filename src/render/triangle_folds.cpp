@@ -23,7 +23,7 @@ PackedPlane plane_through(const glm::vec3& a, const glm::vec3& b, const glm::vec
   if (before(c, a) && before(c, b)) return plane_through(c, a, b);
   const glm::dvec3 normal = glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a));
   if (normal == glm::dvec3(0)) return {shared::no_normal, 0};
-  const uint32_t packed = glm::packSnorm2x16(octahedral_encode(glm::vec3(glm::normalize(normal))));
+  const uint32_t packed = octahedral_packed(normal);
   return {packed, glm::dot(a, octahedral_direction(glm::unpackSnorm2x16(packed)))};
 }
 

@@ -11,39 +11,17 @@
 layout(constant_id = 1) const bool light_has_position = true;  // else no plane needs its offset
 
 layout(local_size_x = 32) in;
-layout(set = 0, binding = 0, scalar) readonly buffer Clusters {
-  ClusterData clusters[];
-};
-layout(set = 0, binding = 1, scalar) readonly buffer ListedClusters {
-  uint listed_clusters[];
-};
-layout(set = 0, binding = 2, scalar) readonly buffer Draws {
-  DrawCommand draws[];
-};
-layout(set = 0, binding = 3, scalar) readonly buffer Visible {
-  VisibleInstance visible[];
-};
-layout(set = 0, binding = 4, scalar) readonly buffer Indices {
-  uvec3 indices[];
-};
-layout(set = 0, binding = 5, scalar) readonly buffer FoldNormals {
-  uvec4 fold_normals[];
-};
-layout(set = 0, binding = 6, scalar) readonly buffer FoldOffsets {
-  vec4 fold_offsets[];
-};
-layout(set = 0, binding = 7, scalar) writeonly buffer Sides {
-  uint sides[];
-};
-layout(set = 0, binding = 8, scalar) writeonly buffer KeptIndices {
-  uvec3 kept_indices[];
-};
-layout(set = 0, binding = 9, scalar) writeonly buffer KeptDraws {
-  DrawCommand kept_draws[];
-};
-layout(push_constant, scalar) uniform Push {
-  SidesConstants constants;
-};
+layout(set = 0, binding = 0, scalar) readonly buffer Clusters { ClusterData clusters[]; };
+layout(set = 0, binding = 1, scalar) readonly buffer ListedClusters { uint listed_clusters[]; };
+layout(set = 0, binding = 2, scalar) readonly buffer Draws { DrawCommand draws[]; };
+layout(set = 0, binding = 3, scalar) readonly buffer Visible { VisibleInstance visible[]; };
+layout(set = 0, binding = 4, scalar) readonly buffer Indices { uvec3 indices[]; };
+layout(set = 0, binding = 5, scalar) readonly buffer FoldNormals { uvec4 fold_normals[]; };
+layout(set = 0, binding = 6, scalar) readonly buffer FoldOffsets { vec4 fold_offsets[]; };
+layout(set = 0, binding = 7, scalar) writeonly buffer Sides { uint sides[]; };
+layout(set = 0, binding = 8, scalar) writeonly buffer KeptIndices { uvec3 kept_indices[]; };
+layout(set = 0, binding = 9, scalar) writeonly buffer KeptDraws { DrawCommand kept_draws[]; };
+layout(push_constant, scalar) uniform Push { SidesConstants constants; };
 
 void main() {
   uint place = gl_GlobalInvocationID.x;

@@ -1,6 +1,5 @@
 #include "shadow/lookup_passes.h"
 
-#include <algorithm>
 #include <array>
 
 #include "shadow/lookup_shaders.h"

@@ -45,8 +45,6 @@ class Parameterization {
  public:
   virtual ~Parameterization() = default;
   virtual Traits traits() const = 0;
-  /// The most views a frame can have.
-  virtual uint32_t max_views() const = 0;
   /// The map that a light of this kind needs.
   virtual MapExtent map_extent(LightKind light) const = 0;
   /// What draws the casters of its frames into the map of a light of this kind: unless it does better, the scene's
@@ -59,6 +57,7 @@ class Parameterization {
   virtual void refine(const Frame&, const ReceiverLookup&, gpu::Recorder&, const std::function<void()>& /*draw*/) {}
   /// Records what must run on the device before casters are culled.
   virtual void record(const Frame&, const ReceiverLookup&, gpu::Recorder&) {}
+  /// Of the last prepared frame; at most shared::max_map_views.
   virtual std::span<const MapView> views() const = 0;
 
   /// Kinds of what its GLSL module reads besides the views, bound from `parameterization_binding` on.

@@ -63,6 +63,11 @@ float filter_deferred(vec3 world, vec4 plane) {
   return at_once ? footprint_visible(f, lit, storage_border(p, lit)) : lit / float(aa_count);
 }
 
+float filter_visible(vec3 world, vec4 plane) {
+  float visible;
+  return filter_quick(world, plane, visible) ? visible : filter_deferred(world, plane);
+}
+
 bool filter_pass(uint pass, vec3 world, vec4 plane, out float visible) {
   if (pass == 0) return filter_quick(world, plane, visible);
   visible = filter_deferred(world, plane);

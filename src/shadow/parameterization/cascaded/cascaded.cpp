@@ -8,10 +8,13 @@
 #include "shaders/show_cascades_comp.h"
 #include "shadow/parameterization/cascaded/shared.h"
 #include "shadow/receiver_words.h"
+#include "shadow/shared.h"
 
 namespace shadewright::shadow {
 
 namespace {
+
+static_assert(shared::max_cascades <= shared::max_map_views);
 
 /// Receivers' bounds are exact up to float rounding of the map coordinates.
 constexpr double rounding_border_texels = 1;

@@ -25,7 +25,6 @@ class Cascaded final : public Parameterization {
   Cascaded(const gpu::Device& device, const Spec& spec, uint32_t frames_in_flight);
 
   Traits traits() const override;
-  uint32_t max_views() const override { return cascades_; }
   MapExtent map_extent(LightKind) const override { return {resolution_, resolution_, cascades_}; }
   void prepare(const Frame& frame, gpu::Recorder& recorder) override;
   std::span<const MapView> views() const override { return views_; }

@@ -37,7 +37,6 @@ class Paged final : public Parameterization {
             .needs_readback = waits(),
             .without_readback = "choose refine=none, requests=bits, analysis=gpu and draw=pages"};
   }
-  uint32_t max_views() const override { return 6; }
   MapExtent map_extent(LightKind light) const override;
   std::unique_ptr<CasterDraws> make_caster_draws(LightKind light, uint32_t frames_in_flight) override;
   void prepare(const Frame& frame, gpu::Recorder& recorder) override;

@@ -37,7 +37,6 @@ class Perspective final : public Parameterization {
   Traits traits() const override {
     return {.layered = true, .needs_readback = options_.from_buffers, .without_readback = "choose fit=view"};
   }
-  uint32_t max_views() const override { return 6; }
   MapExtent map_extent(LightKind light) const override {
     return {resolution_, resolution_, light == LightKind::point ? 6u : 1u};
   }

@@ -30,7 +30,6 @@ class Rectilinear final : public Parameterization {
   Rectilinear(const gpu::Device& device, const Spec& spec, const TechniqueOptions& options);
 
   Traits traits() const override { return {.projective = false, .without_readback = {}}; }
-  uint32_t max_views() const override { return 1; }
   MapExtent map_extent(LightKind) const override { return {resolution_, resolution_, 1}; }
   std::unique_ptr<CasterDraws> make_caster_draws(LightKind light, uint32_t frames_in_flight) override;
   void prepare(const Frame& frame, gpu::Recorder& recorder) override;

@@ -23,7 +23,6 @@ class Uniform final : public Parameterization {
   Traits traits() const override {
     return {.layered = true, .needs_readback = fit_ == "visible", .without_readback = "choose fit=view"};
   }
-  uint32_t max_views() const override { return 6; }
   MapExtent map_extent(LightKind light) const override {
     return {resolution_, resolution_, light == LightKind::point ? 6u : 1u};
   }
