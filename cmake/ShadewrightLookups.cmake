@@ -13,6 +13,7 @@ endmacro()
 
 function(shadewright_combination parameterization storage filter)
   set(room "${PROJECT_SOURCE_DIR}/src/shadow")
+  set_property(GLOBAL APPEND PROPERTY shadewright_combinations ${parameterization}/${storage}/${filter})
   set(stage comp)
   _shadewright_generate("${room}/lookup.comp.in" lookup_${parameterization}_${storage}_${filter} shadewright_lookup_entries
                         ${parameterization}/${storage}/${filter})
@@ -59,6 +60,50 @@ ${entry} decisions[] = {
 ${shadewright_decision_entries}};
 ${entry} casters[] = {
 ${shadewright_caster_entries}};
+}
+" @ONLY)
+endfunction()
+
+# For the test of what callers include: src/shadow/lookup_caller_for_test.comp.in with each look-up there is, embedded in TARGET, and the
+# table "shaders/lookup_callers.h", by what is defined and included.
+function(shadewright_lookup_callers target)
+  set(headers "")
+  set(entries "")
+  macro(add_caller name)
+    configure_file("${PROJECT_SOURCE_DIR}/src/shadow/lookup_caller_for_test.comp.in" "${PROJECT_BINARY_DIR}/generated/${name}.comp" @ONLY)
+    shadewright_shader(${target} "${PROJECT_BINARY_DIR}/generated/${name}.comp" NAME ${name})
+    string(APPEND headers "#include \"shaders/${name}.h\"\n")
+    string(REPLACE "\"" "\\\"" key "${defines}${includes}")
+    string(REPLACE "\n" "\\n" key "${key}")
+    string(APPEND entries "    {\"${key}\", ${name}},\n")
+  endmacro()
+  set(defines "")
+  get_property(combinations GLOBAL PROPERTY shadewright_combinations)
+  foreach(combination ${combinations})
+    string(REGEX REPLACE "([^/]+)/([^/]+)/([^/]+)" "#include \"shadow/parameterization/\\1/\\1.glsl\"
+#include \"shadow/storage/\\2/\\2.glsl\"
+#include \"shadow/filter/\\3/\\3.glsl\"
+" includes ${combination})
+    string(REPLACE "/" "_" name "caller_${combination}")
+    add_caller(${name})
+  endforeach()
+  set(includes "#include \"shadow/precomputed/precomputed.glsl\"\n")
+  foreach(access WINDOWS IMAGE ADDRESS)
+    foreach(precision FLOAT DOUBLE)
+      set(defines "#define PRECOMPUTED_${access}\n#define PRECOMPUTED_${precision}\n")
+      string(TOLOWER caller_precomputed_${access}_${precision} name)
+      add_caller(${name})
+    endforeach()
+  endforeach()
+  file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/shaders/shaders/lookup_callers.h" CONTENT "#pragma once
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <utility>
+@headers@
+namespace shadewright::shaders {
+inline constexpr std::pair<std::string_view, std::span<const uint32_t>> lookup_callers[] = {
+@entries@};
 }
 " @ONLY)
 endfunction()

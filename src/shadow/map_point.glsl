@@ -9,9 +9,9 @@
 #define SHADEWRIGHT_LOOKUP_SET 1
 #endif
 
-// Whether the light is a point light, whose map has six faces. A constant, so that other lights index their one view by a
-// constant too: that made the look-up a fifth faster on a CPU device.
-layout(constant_id = 0) const bool six_faces = false;
+// Whether the light is a point light, whose map has six faces: 0 or 1, or 2 where that is not known when the look-up is compiled.
+// Where it is, other lights index their one view by a constant too: that made the look-up a fifth faster on a CPU device.
+layout(constant_id = 0) const uint known_six_faces = 2;
 
 layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 0, scalar) uniform MapViews { MapViewData map_views[max_map_views]; };
 // Before its first branch a CPU device reads a uniform once for a subgroup, behind one lane by lane, which took half of a look-up's
@@ -29,12 +29,14 @@ layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 1, scalar) uniform Lookup { Looku
 #define map_first_view map_views[0]
 #endif
 
+bool six_faces() { return known_six_faces == 2 ? lookup.light_kind == light_point : known_six_faces == 1; }
+
 // The view of a layer or face. A module with several for each light defines MAP_SEVERAL_VIEWS before this.
 MapViewData map_view(uint index) {
 #ifdef MAP_SEVERAL_VIEWS
   return map_views[index];
 #else
-  if (six_faces) return map_views[index];
+  if (six_faces()) return map_views[index];
   return map_first_view;
 #endif
 }

@@ -184,6 +184,11 @@ std::vector<std::string> MapTechnique::lookup_includes() const {
           path("filter", spec_.filter)};
 }
 
+std::vector<uint32_t> MapTechnique::lookup_constants() const {
+  if (!built_for_) return {};
+  return {*built_for_ == LightKind::point, 0, storage_->lookup_constant()};
+}
+
 std::optional<OracleRays> MapTechnique::oracle_rays(const Frame& frame) {
   using enum gpu::BindingKind;
   const vk::DescriptorSetLayout lookup_layout = lookup_sets_.layout();

@@ -27,6 +27,7 @@ class MapTechnique final : public Technique {
   vk::DescriptorSetLayout lookup_layout() const override { return lookup_sets_.layout(); }
   vk::DescriptorSet lookup_set(const Frame& frame) const override { return lookup_sets_.set(slot(frame)); }
   std::vector<std::string> lookup_includes() const override;
+  std::vector<uint32_t> lookup_constants() const override;
   std::optional<OracleRays> oracle_rays(const Frame& frame) override;
   std::vector<std::string> debug_names() const override;
   Picture debug_picture(std::string_view name) override;

@@ -104,8 +104,18 @@ class Technique {
   virtual vk::DescriptorSetLayout lookup_layout() const { return {}; }
   /// That set for `frame`.
   virtual vk::DescriptorSet lookup_set(const Frame&) const { return {}; }
-  /// Paths below the installed GLSL folder to include, in this order, for map_caster (first) and filter_visible (all).
+  /// Paths below the installed GLSL folder to include, in this order, for map_caster (first) and
+  /// `float filter_visible(vec3 world, vec4 plane)` (all): 1 where a point is lit that lies on a surface of this plane
+  /// (dot(xyz, point) + w = 0), whose normal faces the light; of "precomputed" without what casters move. For filter
+  /// "aa" set filter_step_x and filter_step_y before: how far a step of one pixel moves the point over its plane.
   virtual std::vector<std::string> lookup_includes() const { return {}; }
+  /// Macros to define before those. From the first prepared frame on.
+  virtual std::vector<std::string> lookup_defines() const { return {}; }
+  /// Values of the specialization constants 0, 1, ... that they use, for the light of the last prepared frame.
+  /// Constants of maps (0: whether the light has six faces; 2: a choice of the storage's) may stay unset: then the
+  /// shader serves any light and asks for these at run time, which is slower. That of "precomputed" holds its filter's
+  /// size, which is 1 voxel where it stays unset. A shader's own constants begin at 3.
+  virtual std::vector<uint32_t> lookup_constants() const { return {}; }
 
   /// Reads the oracle's rays of the last recorded frame back and waits; none for techniques without texels.
   virtual std::optional<OracleRays> oracle_rays(const Frame&) { return std::nullopt; }

@@ -37,6 +37,8 @@ class Precomputed final : public Technique {
   vk::DescriptorSetLayout lookup_layout() const override { return lookup_sets_.layout(); }
   vk::DescriptorSet lookup_set(const Frame& frame) const override { return lookup_sets_.set(slot(frame)); }
   std::vector<std::string> lookup_includes() const override { return {"shadow/precomputed/precomputed.glsl"}; }
+  std::vector<std::string> lookup_defines() const override;
+  std::vector<uint32_t> lookup_constants() const override { return {variant_}; }
 
   /// What is looked up: that of the last prepared frame's light.
   const voxel::VoxelShadow& shadow() const { return shadow_; }
@@ -73,6 +75,7 @@ class Precomputed final : public Technique {
   vk::raii::Sampler sampler_{nullptr};
   Access access_ = Access::windows;
   Words words_;
+  uint32_t variant_ = 1;                                           ///< precomputed.glsl's specialization constant
   std::vector<gpu::Buffer> cameras_, constants_, lookups_, rows_;  ///< by slot, host-written
   LookupSets lookup_sets_;
   gpu::ComputePass pass_;

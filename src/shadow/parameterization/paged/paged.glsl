@@ -36,7 +36,7 @@ uint point_place(MapPoint p) { return entry_place(p.layer); }
 uint point_level(MapPoint p) { return entry_level(p.layer); }
 uint point_face(MapPoint p) { return p.layer >> (place_bits + entry_level_bits); }
 
-uint paged_face(vec3 world) { return six_faces ? cube_face(world - lookup.light_position) : 0; }
+uint paged_face(vec3 world) { return six_faces() ? cube_face(world - lookup.light_position) : 0; }
 
 vec2 paged_uv(vec3 world, uint face) {
   vec4 q = map_view(face).map_from_world * vec4(world, 1.0);
