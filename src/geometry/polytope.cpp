@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/place_order.h"
 #include "shadewright/geometry/projection.h"
 
 namespace shadewright {
@@ -110,11 +111,7 @@ class Clipper {
   /// Makes the cut's corners the convex polygon through them, counter-clockwise seen from outside (against the plane's
   /// normal).
   void close_cut(const Plane& plane) {
-    const auto before = [](const glm::dvec3& a, const glm::dvec3& b) {
-      return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
-    };
-    std::sort(cut_.begin(), cut_.end(), before);
-    cut_.erase(std::unique(cut_.begin(), cut_.end()), cut_.end());
+    sort_distinct(cut_);
     if (cut_.size() < 3) return;
     const glm::dvec3 center = mean(cut_);
     glm::dvec3 u, v;
@@ -122,7 +119,7 @@ class Clipper {
     turns_.clear();
     for (const glm::dvec3& p : cut_) turns_.push_back({turn(glm::dot(p - center, u), glm::dot(p - center, v)), p});
     std::sort(turns_.begin(), turns_.end(), [&](const Turn& a, const Turn& b) {
-      return a.angle != b.angle ? a.angle < b.angle : before(a.corner, b.corner);
+      return a.angle != b.angle ? a.angle < b.angle : comes_before(a.corner, b.corner);
     });
     for (size_t i = 0; i < cut_.size(); ++i) cut_[i] = turns_[i].corner;
   }

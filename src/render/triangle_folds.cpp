@@ -1,8 +1,8 @@
 #include "render/triangle_folds.h"
 
 #include <glm/gtc/packing.hpp>
-#include <tuple>
 
+#include "geometry/place_order.h"
 #include "render/octahedral.h"
 
 namespace shadewright::render {
@@ -15,12 +15,9 @@ struct PackedPlane {
 };
 
 PackedPlane plane_through(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
-  const auto before = [](const glm::vec3& p, const glm::vec3& q) {
-    return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
-  };
   // Neighbours name the corners in another order: arithmetic begins at the same one.
-  if (before(b, a) && !before(c, b)) return plane_through(b, c, a);
-  if (before(c, a) && before(c, b)) return plane_through(c, a, b);
+  if (comes_before(b, a) && !comes_before(c, b)) return plane_through(b, c, a);
+  if (comes_before(c, a) && comes_before(c, b)) return plane_through(c, a, b);
   const glm::dvec3 normal = glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a));
   if (normal == glm::dvec3(0)) return {shared::no_normal, 0};
   const uint32_t packed = octahedral_packed(normal);

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "geometry/place_order.h"
 #include "shadewright/geometry/projection.h"
 
 namespace shadewright::shadow {
@@ -28,8 +29,7 @@ double along(const glm::dvec4& row, const glm::dvec3& point) {
 
 /// The corners of the convex hull, by Andrew's monotone chain (1979).
 std::vector<glm::dvec2> convex_hull(std::vector<glm::dvec2> points) {
-  std::sort(points.begin(), points.end(),
-            [](const glm::dvec2& a, const glm::dvec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  sort_distinct(points);
   std::vector<glm::dvec2> hull;
   for (int chain = 0; chain < 2; ++chain) {
     const size_t start = hull.size();

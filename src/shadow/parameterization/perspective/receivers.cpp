@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_access.hpp>
 #include <limits>
 
+#include "geometry/place_order.h"
 #include "shadow/parameterization/uniform/fit.h"
 
 namespace shadewright::shadow {
@@ -76,11 +77,7 @@ void bound(Receivers& receivers, std::span<const Plane> planes) {
   if (!receivers.boxes.empty())
     receivers.hull = clip(transform(receivers.world_from_post, bounding_polytope(receivers.boxes)), planes);
   receivers.corners = receivers.hull.points();
-  const auto before = [](const glm::dvec3& a, const glm::dvec3& b) {
-    return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
-  };
-  std::sort(receivers.corners.begin(), receivers.corners.end(), before);
-  receivers.corners.erase(std::unique(receivers.corners.begin(), receivers.corners.end()), receivers.corners.end());
+  sort_distinct(receivers.corners);
 }
 
 CameraMap::CameraMap(const render::CameraView& camera)

@@ -34,8 +34,8 @@ gpu::Buffer make_tangents(const gpu::Device& device) {
   return gpu::make_buffer<shared::SubpixelTangents>(device, "sub-pixel tangents", std::span(tables.get(), 1));
 }
 
-gpu::Buffer make_constants(const gpu::Device& device, const Spec& spec) {
-  const shared::SubpixelConstants constants{slope_coding(spec.choice("slopes")), recovery(spec.choice("recovery"))};
+gpu::Buffer make_constants(const gpu::Device& device, const Spec& spec, uint32_t recovery) {
+  const shared::SubpixelConstants constants{slope_coding(spec.choice("slopes")), recovery};
   return gpu::make_buffer<shared::SubpixelConstants>(device, "sub-pixel constants", std::span(&constants, 1));
 }
 
@@ -45,7 +45,7 @@ SubpixelStorage::SubpixelStorage(const gpu::Device& device, const StorageDesc& d
     : device_(device),
       recovery_(recovery(desc.spec.choice("recovery"))),
       slopes_(make_slopes(device, desc.spec)),
-      constants_(make_constants(device, desc.spec)),
+      constants_(make_constants(device, desc.spec, recovery_)),
       tangents_(make_tangents(device)),
       sampler_(gpu::make_sampler(device, vk::Filter::eNearest)),
       draws_(desc.draws) {
