@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 namespace shadewright::shared {
 using glm::mat3;
+using glm::mat2;
 using glm::mat4;
 using glm::mat4x3;
 using glm::uvec2;

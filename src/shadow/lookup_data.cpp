@@ -33,4 +33,11 @@ shared::LookupData lookup_data(const Frame& frame) {
   return lookup;
 }
 
+glm::dmat4 map_from_world(const MapView& view) {
+  glm::dmat4 map_from_clip(1.0);
+  map_from_clip[0][0] = map_from_clip[1][1] = 0.5;
+  map_from_clip[3][0] = map_from_clip[3][1] = 0.5;
+  return map_from_clip * view.light_from_world;
+}
+
 }  // namespace shadewright::shadow

@@ -12,4 +12,7 @@ bool same_light(const Light& a, const Light& b);
 /// The members that follow from the frame; the map's are left as they are.
 shared::LookupData lookup_data(const Frame& frame);
 
+/// World to map space of a view: (u w, v w, depth w, w).
+glm::dmat4 map_from_world(const MapView& view);
+
 }  // namespace shadewright::shadow

@@ -20,7 +20,7 @@ uint32_t pass_count(const Spec& spec) {
 
 LookupPasses::LookupPasses(const gpu::Device& device, const Spec& spec, vk::Extent2D extent,
                            std::vector<gpu::BindingKind> kinds, vk::DescriptorSetLayout lookup_layout, bool six_faces,
-                           uint32_t storage_constant)
+                           Known known)
     : extent_(extent) {
   const uint32_t count = pass_count(spec);
   if (count > 1) {
@@ -31,8 +31,8 @@ LookupPasses::LookupPasses(const gpu::Device& device, const Spec& spec, vk::Exte
   }
   const auto shader = lookup_shader(spec.parameterization + "/" + spec.storage + "/" + spec.filter);
   for (uint32_t pass = 0; pass < count; ++pass)
-    passes_.push_back(
-        gpu::ComputePass(device, shader, kinds, 0, std::span(&lookup_layout, 1), {six_faces, pass, storage_constant}));
+    passes_.push_back(gpu::ComputePass(device, shader, kinds, 0, std::span(&lookup_layout, 1),
+                                       {six_faces, pass, known.storage, known.parameterization}));
 }
 
 void LookupPasses::record(const vk::raii::CommandBuffer& commands, std::vector<gpu::Binding> bindings,

@@ -12,11 +12,15 @@ namespace shadewright::shadow {
 
 class LookupPasses {
  public:
+  /// What modules know when their look-up is compiled: their lookup_constant().
+  struct Known {
+    uint32_t storage = 0, parameterization = 0;
+  };
+
   LookupPasses() = default;
-  /// For images of `extent` pixels, with bindings of `kinds` in set 0; set 1 is of `lookup_layout`. `storage_constant`:
-  /// Storage::lookup_constant.
+  /// For images of `extent` pixels, with bindings of `kinds` in set 0; set 1 is of `lookup_layout`.
   LookupPasses(const gpu::Device& device, const Spec& spec, vk::Extent2D extent, std::vector<gpu::BindingKind> kinds,
-               vk::DescriptorSetLayout lookup_layout, bool six_faces, uint32_t storage_constant);
+               vk::DescriptorSetLayout lookup_layout, bool six_faces, Known known);
 
   void record(const vk::raii::CommandBuffer& commands, std::vector<gpu::Binding> bindings,
               vk::DescriptorSet lookup_set) const;

@@ -13,11 +13,13 @@
 // Where it is, other lights index their one view by a constant too: that made the look-up a fifth faster on a CPU device.
 layout(constant_id = 0) const uint known_six_faces = 2;
 
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 0, scalar) uniform MapViews { MapViewData map_views[max_map_views]; };
 // Before its first branch a CPU device reads a uniform once for a subgroup, behind one lane by lane, which took half of a look-up's
 // time. A shader with SHADEWRIGHT_LOADS_FIRST copies what its modules read by load_...() as the first thing it does.
 #ifdef SHADEWRIGHT_LOADS_FIRST
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 1, scalar) uniform Lookup { LookupData lookup_uniform; };
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 0, scalar) uniform Lookup {
+  LookupData lookup_uniform;
+  MapViewData map_views[max_map_views];
+};
 LookupData lookup;
 MapViewData map_first_view;
 void load_lookup() {
@@ -25,7 +27,10 @@ void load_lookup() {
   map_first_view = map_views[0];
 }
 #else
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 1, scalar) uniform Lookup { LookupData lookup; };
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 0, scalar) uniform Lookup {
+  LookupData lookup;
+  MapViewData map_views[max_map_views];
+};
 #define map_first_view map_views[0]
 #endif
 
@@ -67,14 +72,12 @@ float map_threshold(MapPoint p) {
   return p.depth - lookup.bias_scale * (0.5 * dot(abs(p.gradient), p.texel) + p.tolerance);
 }
 
-// Projects a receiver through one view. A plane transforms by the inverse transpose, so its depth gradient is exact for any
-// projective map.
-MapPoint map_project(MapViewData view, uint layer, vec3 world, vec4 plane, vec2 texel) {
-  vec4 q = view.map_from_world * vec4(world, 1.0);
+// A receiver at `q`, homogeneous map coordinates whose depth has the coefficients `depth_row` of world x, y, z; `plane` is its
+// plane's normal there.
+MapPoint map_projected(vec4 q, vec3 plane, vec3 depth_row, uint layer, vec3 world, vec2 texel) {
   vec3 map = q.xyz / q.w;
-  vec4 plane_map = plane * view.world_from_map;
-  float c = abs(plane_map.z) < 1e-30 ? 1e-30 : plane_map.z;
-  vec2 gradient = -plane_map.xy / c;
+  float c = abs(plane.z) < 1e-30 ? 1e-30 : plane.z;
+  vec2 gradient = -plane.xy / c;
 
   // A plane that is wrong by e metres is wrong by e / (w |c|) in depth. The depth row itself cancels coordinates too, those of
   // a light with a position included; where a perspective depth is steep that is little, where it is flat it is much. The
@@ -83,14 +86,22 @@ MapPoint map_project(MapViewData view, uint layer, vec3 world, vec4 plane, vec2 
   vec3 a = abs(world) + (lookup.light_kind == light_directional ? vec3(0.0) : abs(lookup.light_position));
   float error_coordinates = position_error_of_coordinates * (a.x + a.y + a.z);
   float error_world = error_coordinates + position_error_of_distance * distance(world, lookup.eye);
-  vec3 depth_row = vec3(view.map_from_world[0].z, view.map_from_world[1].z, view.map_from_world[2].z);
   vec2 slope = abs(gradient);
   float ulp = 1.0 / 16777216.0;
   float tolerance = error_world / abs(q.w * c) + error_coordinates * length(depth_row) / abs(q.w) +
                     ulp * (4.0 + 4.0 * (slope.x + slope.y)) + dot(slope, texel) / 256.0;
 
   bool inside = q.w > 0.0 && all(greaterThanEqual(map.xy, vec2(0.0))) && all(lessThan(map.xy, vec2(1.0)));
-  return MapPoint(map.xy, map.z, layer, gradient, texel, tolerance, inside && view.drawn != 0, map.xy, gradient);
+  return MapPoint(map.xy, map.z, layer, gradient, texel, tolerance, inside, map.xy, gradient);
+}
+
+// Projects a receiver through one view. A plane transforms by the inverse transpose, so its depth gradient is exact for any
+// projective map.
+MapPoint map_project(MapViewData view, uint layer, vec3 world, vec4 plane, vec2 texel) {
+  vec3 depth_row = vec3(view.map_from_world[0].z, view.map_from_world[1].z, view.map_from_world[2].z);
+  MapPoint p = map_projected(view.map_from_world * vec4(world, 1.0), (plane * view.world_from_map).xyz, depth_row, layer, world, texel);
+  p.valid = p.valid && view.drawn != 0;
+  return p;
 }
 
 // The world point at a place of one view.

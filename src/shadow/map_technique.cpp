@@ -16,14 +16,6 @@ namespace shadewright::shadow {
 
 namespace {
 
-/// Clip space to map space: u, v in [0, 1].
-glm::dmat4 map_from_clip() {
-  glm::dmat4 m(1.0);
-  m[0][0] = m[1][1] = 0.5;
-  m[3][0] = m[3][1] = 0.5;
-  return m;
-}
-
 /// MapViewData::slope_unit. Under a perspective light a texel grows with the distance and a depth's step with its
 /// square: the mean of the map's near and far end is taken.
 float slope_unit(const glm::dmat4& world_from_map, const MapExtent& extent) {
@@ -53,27 +45,24 @@ MapTechnique::MapTechnique(const gpu::Device& device, const Spec& spec, const Te
   sampler_ = gpu::make_sampler(device, vk::Filter::eNearest);
   for (uint32_t i = 0; i < options.frames_in_flight; ++i) {
     cameras_.emplace_back(device, "shadow camera", sizeof(shared::CameraData), gpu::HostAccess::write);
-    lookups_.emplace_back(device, "shadow constants", sizeof(shared::LookupData), gpu::HostAccess::write);
-    views_.emplace_back(device, "shadow views", shared::max_map_views * sizeof(shared::MapViewData),
-                        gpu::HostAccess::write);
+    lookups_.emplace_back(device, "shadow constants", sizeof(shared::LookupUniform), gpu::HostAccess::write);
   }
   if (auto names = storage_traits(spec.storage).decisions; !names.empty())
     decisions_.emplace(device, std::move(names), options.frames_in_flight);
-  // Views, constants, the storage's resources and the parameterization's: see map_point.glsl and the modules' GLSL.
+  // Constants and views, the parameterization's resources and the storage's: see map_point.glsl and the modules' GLSL.
   using enum gpu::BindingKind;
-  const LookupSets::Part parts[] = {{0, {uniform_buffer, uniform_buffer}},
-                                    {storage_binding, storage_traits(spec.storage).lookup_kinds},
-                                    {parameterization_binding, parameterization_->lookup_kinds()}};
+  const LookupSets::Part parts[] = {{0, {uniform_buffer}},
+                                    {parameterization_binding, parameterization_->lookup_kinds()},
+                                    {storage_binding, storage_traits(spec.storage).lookup_kinds}};
   lookup_sets_ = LookupSets(device, parts, options.frames_in_flight);
 }
 
 void MapTechnique::write_lookup_sets() {
   using gpu::Binding;
   for (uint32_t i = 0; i < options_.frames_in_flight; ++i) {
-    gpu::write_set(device_, lookup_sets_.set(i), 0,
-                   std::array{Binding::uniform(views_[i]), Binding::uniform(lookups_[i])});
-    gpu::write_set(device_, lookup_sets_.set(i), storage_binding, storage_->lookup_bindings());
+    gpu::write_set(device_, lookup_sets_.set(i), 0, std::array{Binding::uniform(lookups_[i])});
     gpu::write_set(device_, lookup_sets_.set(i), parameterization_binding, parameterization_->lookup_bindings(i));
+    gpu::write_set(device_, lookup_sets_.set(i), storage_binding, storage_->lookup_bindings());
   }
 }
 
@@ -86,8 +75,9 @@ void MapTechnique::build_for(LightKind light) {
   using enum gpu::BindingKind;
   std::vector kinds{uniform_buffer, sampled_image, sampled_image, storage_image};
   if (decisions_) kinds.push_back(storage_buffer);
-  lookup_ = LookupPasses(device_, spec_, {options_.width, options_.height}, std::move(kinds), lookup_sets_.layout(),
-                         light == LightKind::point, storage_->lookup_constant());
+  lookup_ =
+      LookupPasses(device_, spec_, {options_.width, options_.height}, std::move(kinds), lookup_sets_.layout(),
+                   light == LightKind::point, {storage_->lookup_constant(), parameterization_->lookup_constant()});
   built_for_ = light;
   write_lookup_sets();
 }
@@ -112,13 +102,13 @@ void MapTechnique::write_constants(const Frame& frame) {
   const uint32_t i = slot(frame);
   cameras_[i].mapped<shared::CameraData>()[0] = render::camera_data(frame.camera);
   const auto views = parameterization_->views();
-  const auto mapped = views_[i].mapped<shared::MapViewData>();
+  auto& constants = lookups_[i].mapped<shared::LookupUniform>()[0];
   const MapExtent extent = parameterization_->map_extent(frame.light.kind);
   for (size_t v = 0; v < views.size(); ++v) {
-    const glm::dmat4 map_from_world = map_from_clip() * views[v].light_from_world;
-    const glm::dmat4 world_from_map = glm::inverse(map_from_world);
-    mapped[v] = {glm::mat4(map_from_world), glm::mat4(world_from_map), views[v].drawn ? 1u : 0u,
-                 slope_unit(world_from_map, extent)};
+    const glm::dmat4 to_map = map_from_world(views[v]);
+    const glm::dmat4 world_from_map = glm::inverse(to_map);
+    constants.map_views[v] = {glm::mat4(to_map), glm::mat4(world_from_map), views[v].drawn ? 1u : 0u,
+                              slope_unit(world_from_map, extent)};
   }
   shared::LookupData lookup = lookup_data(frame);
   lookup.bias_scale = static_cast<float>(spec_.number("bias"));
@@ -128,7 +118,8 @@ void MapTechnique::write_constants(const Frame& frame) {
     lookup.pcf_width = static_cast<float>(0.5 * spec_.number("width"));
   }
   if (spec_.takes("bleeding")) lookup.light_bleeding = static_cast<float>(spec_.number("bleeding"));
-  lookups_[i].mapped<shared::LookupData>()[0] = lookup;
+  storage_->write_lookup(lookup);
+  constants.lookup = lookup;
 }
 
 std::vector<gpu::Binding> MapTechnique::receiver_bindings(const Frame& frame) const {
@@ -171,7 +162,7 @@ std::vector<Allocation> MapTechnique::allocations() const {
   append(parameterization_->allocations());
   if (decisions_) append(decisions_->allocations());
   append(lookup_.allocations());
-  for (const auto* buffers : {&cameras_, &views_, &lookups_})
+  for (const auto* buffers : {&cameras_, &lookups_})
     for (const auto& buffer : *buffers) result.push_back(buffer.allocation());
   return result;
 }

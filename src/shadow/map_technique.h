@@ -47,7 +47,7 @@ class MapTechnique final : public Technique {
   std::unique_ptr<Parameterization> parameterization_;
   gpu::Image visibility_;
   vk::raii::Sampler sampler_{nullptr};
-  std::vector<gpu::Buffer> cameras_, views_, lookups_;  ///< by slot, host-written
+  std::vector<gpu::Buffer> cameras_, lookups_;  ///< by slot, host-written
   LookupSets lookup_sets_;
   std::unique_ptr<CasterDraws> draws_;
   std::unique_ptr<Storage> storage_;

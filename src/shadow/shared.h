@@ -20,7 +20,14 @@ const uint max_map_views = 8;
 
 const uint light_directional = 0, light_spot = 1, light_point = 2;
 
-/// What every look-up needs besides its maps.
+/// How a sub-pixel map codes slopes and depth. `exponent` is the paper's n.
+struct SlopeCoding {
+  uint bits;            // of one slope: 8 or 11
+  float exponent;       // of the power function of the angle; 1 is linear
+  uint absolute_depth;  // 1: 16 bits over the map's whole range; 0: 10 bits within the texel, from the minimum depth on
+};
+
+/// What every look-up needs besides its maps, and what storages and filters add to it.
 struct LookupData {
   vec3 light_position;
   vec3 light_direction;  // the way light travels
@@ -28,11 +35,24 @@ struct LookupData {
   uint light_kind;
   vec3 eye;
   float bias_scale;
-  vec2 map_size;         // texels
-  float pcf_radius;      // half width of the box in texels, or
-  float pcf_width;       // half width in metres; 0 = in texels
-  float light_bleeding;  // of moments: the share of light that counts as none
+  vec2 map_size;             // texels
+  float pcf_radius;          // half width of the box in texels, or
+  float pcf_width;           // half width in metres; 0 = in texels
+  float light_bleeding;      // of moments: the share of light that counts as none
+  int triangle_reach;        // of triangle: texels to each side whose triangles are tested
+  SlopeCoding slope_coding;  // of subpixel
+  uint recovery;             // of subpixel: of receivers that no triangle covers (recovery_off, ...)
 };
+
+#ifdef __cplusplus
+/// The buffer at binding 0 of a look-up's set. With those of the camera and of a parameterization it makes three: of a
+/// fourth one, Mesa 22.3's lavapipe writes what conditions read beyond the end of an array, and crashes sooner or
+/// later.
+struct LookupUniform {
+  LookupData lookup;
+  MapViewData map_views[max_map_views];
+};
+#endif
 
 /// The receivers whose answer a look-up puts off to a further pass. Their pixels follow, x and y in 16 bits each.
 struct DeferredReceivers {
@@ -41,8 +61,8 @@ struct DeferredReceivers {
 };
 const uint deferred_group = 64, max_lookup_passes = 3;
 
-/// Receivers are counted, by how they were decided, in as many banks: cores that count into one cache line wait for each
-/// other, which took a sixteenth of a sub-pixel look-up's time. A bank has a line of its own.
+/// Receivers are counted, by how they were decided, in as many banks: cores that count into one cache line wait for
+/// each other, which took a sixteenth of a sub-pixel look-up's time. A bank has a line of its own.
 const uint decision_banks = 32, decision_bank_words = 16;
 
 /// Of caster_sides.comp: four bits a triangle, three of silhouette edges below this one.

@@ -36,8 +36,8 @@ struct MapExtent {
   bool operator==(const MapExtent&) const = default;
 };
 
-/// The first binding of a parameterization's own resources in the look-up's set; the storage's begin at 2.
-inline constexpr uint32_t parameterization_binding = 8, storage_binding = 2;
+/// The first bindings of a parameterization's and of a storage's own resources in the look-up's set.
+inline constexpr uint32_t parameterization_binding = 1, storage_binding = 8;
 
 class CasterDraws;
 
@@ -64,6 +64,8 @@ class Parameterization {
   virtual std::vector<gpu::BindingKind> lookup_kinds() const { return {}; }
   /// Those resources for the frames of `slot`; they stay the same as long as the map's extent does.
   virtual std::vector<gpu::Binding> lookup_bindings(uint32_t /*slot*/) const { return {}; }
+  /// What its GLSL module may know already when a look-up is compiled: specialization constant 3. 0: nothing.
+  virtual uint32_t lookup_constant() const { return 0; }
 
   virtual Counters counters() const = 0;
   virtual std::vector<Allocation> allocations() const { return {}; }

@@ -15,14 +15,13 @@ StorageTraits storage_traits(std::string_view storage) {
   using enum gpu::BindingKind;
   if (storage == "depth" || storage == "moments") return {{sampled_image}, {"shadow-map"}};
   if (storage == "subpixel")
-    return {{sampled_image, sampled_image, uniform_buffer, uniform_buffer, storage_buffer},
+    return {{sampled_image, sampled_image, uniform_buffer, storage_buffer},
             {"shadow-map", "decisions"},
             {"decided_by_one_texel", "decided_by_neighbours", "decided_by_recovery"},
             true,
             false};
   if (storage == "triangle")
-    return {
-        {sampled_image, sampled_image, sampled_image, sampled_image, uniform_buffer}, {"shadow-map"}, {}, false, false};
+    return {{sampled_image, sampled_image, sampled_image, sampled_image}, {"shadow-map"}, {}, false, false};
   throw std::logic_error(fmt::format("storage '{}' has shaders but no class", storage));
 }
 

@@ -10,6 +10,7 @@
 #include "shadewright/gpu/pass.h"
 #include "shadewright/shadow/technique.h"
 #include "shadow/caster_draws.h"
+#include "shadow/shared.h"
 
 namespace shadewright::shadow {
 
@@ -28,6 +29,8 @@ class Storage {
   virtual void record(const Frame& frame, vk::DescriptorSet lookup_set, gpu::Recorder& recorder) = 0;
   /// What the GLSL module reads, bound from `storage_binding` on; of the kinds that its traits tell.
   virtual std::vector<gpu::Binding> lookup_bindings() const = 0;
+  /// What its GLSL module reads of LookupData besides.
+  virtual void write_lookup(shared::LookupData&) const {}
   /// What the GLSL module may know already when it is compiled: specialization constant 2 of a look-up. 0: nothing.
   virtual uint32_t lookup_constant() const { return 0; }
   virtual std::vector<Allocation> allocations() const = 0;

@@ -6,7 +6,7 @@
 #include <glm/gtc/matrix_access.hpp>
 
 #include "shaders/show_cascades_comp.h"
-#include "shadow/parameterization/cascaded/shared.h"
+#include "shadow/lookup_data.h"
 #include "shadow/receiver_words.h"
 #include "shadow/shared.h"
 
@@ -101,15 +101,13 @@ void Cascaded::prepare(const Frame& frame, gpu::Recorder& recorder) {
 
   views_.clear();
   borders_.assign(cascades_, glm::vec2(0));
-  auto& constants = constants_[frame.index % constants_.size()].mapped<shared::CascadeData>()[0];
-  constants.count = cascades_;
   for (uint32_t i = 0; i < cascades_; ++i) {
     if (stable_ && !receivers[i].empty()) receivers[i] = constant_window(frame, lights[i], slices_[i], receivers[i]);
     views_.push_back(make_view(lights[i], receivers[i], all, borders_[i]));
     views_.back().layer = i;
     if (views_.back().drawn) views_.back().casters = caster_planes(views_.back(), frame.camera, frame.light, true);
-    constants.border[i] = borders_[i];
   }
+  write_constants(light, constants_[frame.index % constants_.size()].mapped<shared::CascadeData>()[0]);
 }
 
 Box Cascaded::constant_window(const Frame& frame, const LightFrame& light, const DepthRange& slice,
@@ -157,6 +155,25 @@ MapView Cascaded::make_view(const LightFrame& light, Box receivers, const Box& a
   return fit_view(light, receivers, resolution_, 0);
 }
 
+void Cascaded::write_constants(const LightFrame& light, shared::CascadeData& constants) const {
+  constants.light_from_world = constants.world_from_light = glm::mat4(1);
+  std::fill(std::begin(constants.windows), std::end(constants.windows),
+            shared::CascadeWindow{glm::mat2(1), glm::vec2(0), glm::vec2(0.5)});
+  const auto drawn = std::find_if(views_.begin(), views_.end(), [](const MapView& view) { return view.drawn; });
+  if (drawn == views_.end()) return;
+  glm::dmat4 light_from_world = light.view_from_world;
+  for (const int row : {2, 3})
+    light_from_world = glm::row(light_from_world, row, glm::row(drawn->light_from_world, row));
+  const glm::dmat4 world_from_light = glm::inverse(light_from_world);
+  constants.light_from_world = light_from_world;
+  constants.world_from_light = world_from_light;
+  for (size_t i = 0; i < views_.size(); ++i) {
+    if (!views_[i].drawn) continue;
+    const glm::dmat4 map_from_light = map_from_world(views_[i]) * world_from_light;
+    constants.windows[i] = {glm::mat2(glm::mat4(map_from_light)), glm::vec2(map_from_light[3]), borders_[i]};
+  }
+}
+
 Counters Cascaded::counters() const {
   const auto drawn = std::count_if(views_.begin(), views_.end(), [](const MapView& view) { return view.drawn; });
   const auto resolution = static_cast<double>(resolution_);
@@ -186,7 +203,9 @@ Picture Cascaded::debug_picture(std::string_view, const ReceiverLookup& lookup) 
   const glm::u8vec4 none{255, 0, 255, 255}, background{20, 20, 20, 255};
   Picture picture{lookup.width, lookup.height, {}};
   for (const uint32_t cascade : receiver_words(device_, shaders::show_cascades_comp, lookup, false))
-    picture.pixels.push_back(cascade < cascades_ ? colors[cascade] : cascade == cascades_ ? none : background);
+    picture.pixels.push_back(cascade < cascades_               ? colors[cascade]
+                             : cascade == shared::max_cascades ? none
+                                                               : background);
   return picture;
 }
 

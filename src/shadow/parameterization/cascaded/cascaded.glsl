@@ -8,23 +8,57 @@
 
 #define MAP_CONTIGUOUS 1  // neighbours of a texel are its neighbours in the layer
 
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 8, scalar) uniform Cascades { CascadeData cascades; };
+#ifdef SHADEWRIGHT_LOADS_FIRST  // see map_point.glsl
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 1, scalar) uniform Cascades { CascadeData cascades_uniform; };
+CascadeData cascades;
+#define MAP_LOADS 1
+void load_map() { cascades = cascades_uniform; }
+#else
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 1, scalar) uniform Cascades { CascadeData cascades; };
+#endif
 
-// `cascades.count` where none holds the receiver.
-uint cascade_of(vec3 world) {
-  for (uint i = 0; i < cascades.count; ++i) {
-    if (map_views[i].drawn == 0) continue;
-    vec4 q = map_views[i].map_from_world * vec4(world, 1.0);
-    vec2 from_center = abs(q.xy - 0.5 * q.w);
-    if (q.w > 0.0 && all(lessThan(from_center, (0.5 - cascades.border[i]) * q.w))) return i;
-  }
-  return cascades.count;
+// Where it is known when the look-up is compiled, how many there are.
+layout(constant_id = 3) const uint known_cascades = 0;
+
+// Takes cascade `i` for what lies at `q` of the light's plane (see CascadeData), if it holds that.
+void take_cascade(uint i, vec4 q, inout uint cascade, inout CascadeWindow window) {
+  if (known_cascades != 0 && i >= known_cascades) return;
+  CascadeWindow w = cascades.windows[i];
+  vec2 from_center = abs(w.turn * q.xy + (w.offset - 0.5) * q.w);
+  bool holds = all(lessThan(from_center, (0.5 - w.border) * q.w));
+  cascade = holds ? i : cascade;
+  window.turn = mat2(holds ? w.turn[0] : window.turn[0], holds ? w.turn[1] : window.turn[1]);
+  window.offset = holds ? w.offset : window.offset;
+}
+
+// The cascade that takes what lies at `q`, and its window; `max_cascades` where none does. All are compared, without a branch (see
+// SHADEWRIGHT_LOADS_FIRST) and without a loop, which Mesa 22.3 would not unroll.
+uint cascade_of(vec4 q, out CascadeWindow window) {
+  uint cascade = max_cascades;
+  window = cascades.windows[0];
+  take_cascade(7, q, cascade, window);
+  take_cascade(6, q, cascade, window);
+  take_cascade(5, q, cascade, window);
+  take_cascade(4, q, cascade, window);
+  take_cascade(3, q, cascade, window);
+  take_cascade(2, q, cascade, window);
+  take_cascade(1, q, cascade, window);
+  take_cascade(0, q, cascade, window);
+  return cascade;
 }
 
 MapPoint map_point(vec3 world, vec4 plane) {
-  uint cascade = cascade_of(world);
-  MapPoint p = map_project(map_views[min(cascade, cascades.count - 1)], cascade, world, plane, 1.0 / lookup.map_size);
-  p.valid = p.valid && cascade < cascades.count;
+  vec4 q = cascades.light_from_world * vec4(world, 1.0);
+  vec4 plane_light = plane * cascades.world_from_light;
+  CascadeWindow window;
+  uint cascade = cascade_of(q, window);
+  // A plane turns by the inverse transpose.
+  vec2 plane_map = vec2(window.turn[1].y * plane_light.x - window.turn[0].y * plane_light.y,
+                        window.turn[0].x * plane_light.y - window.turn[1].x * plane_light.x) / determinant(window.turn);
+  vec3 depth_row = vec3(cascades.light_from_world[0].z, cascades.light_from_world[1].z, cascades.light_from_world[2].z);
+  MapPoint p = map_projected(vec4(window.turn * q.xy + window.offset * q.w, q.zw), vec3(plane_map, plane_light.z), depth_row,
+                             cascade, world, 1.0 / lookup.map_size);
+  p.valid = p.valid && cascade < max_cascades;
   return p;
 }
 

@@ -14,6 +14,7 @@
 #include <optional>
 
 #include "shadow/filter/reach.h"
+#include "shadow/parameterization/cascaded/shared.h"
 #include "shadow/parameterization/cascaded/slices.h"
 #include "shadow/parameterization/parameterization.h"
 #include "shadow/parameterization/visible_bounds.h"
@@ -34,6 +35,7 @@ class Cascaded final : public Parameterization {
   std::vector<gpu::Binding> lookup_bindings(uint32_t slot) const override {
     return {gpu::Binding::uniform(constants_[slot])};
   }
+  uint32_t lookup_constant() const override { return cascades_; }
   Counters counters() const override;
   std::vector<Allocation> allocations() const override;
   std::vector<std::string> debug_names() const override { return {"cascades"}; }
@@ -45,6 +47,7 @@ class Cascaded final : public Parameterization {
   Box constant_window(const Frame& frame, const LightFrame& light, const DepthRange& slice, const Box& receivers) const;
   /// The view that holds `receivers` and what filters read around them; `all` are the receivers of every slice.
   MapView make_view(const LightFrame& light, Box receivers, const Box& all, glm::vec2& border) const;
+  void write_constants(const LightFrame& light, shared::CascadeData& constants) const;
 
   const gpu::Device& device_;
   uint32_t resolution_, cascades_;

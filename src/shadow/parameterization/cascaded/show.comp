@@ -1,4 +1,4 @@
-// Debug picture "cascades": which cascade each receiver takes; `count` where none holds it, count + 1 where there is none.
+// Debug picture "cascades": which cascade each receiver takes; max_cascades where none holds it, one more where there is none.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
@@ -12,5 +12,7 @@ void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(pixel, ivec2(camera.size)))) return;
   Receiver r = receiver_at(pixel);
-  chosen[uint(pixel.y) * camera.size.x + uint(pixel.x)] = r.background ? cascades.count + 1 : cascade_of(r.world);
+  CascadeWindow window;
+  uint cascade = cascade_of(cascades.light_from_world * vec4(r.world, 1.0), window);
+  chosen[uint(pixel.y) * camera.size.x + uint(pixel.x)] = r.background ? max_cascades + 1 : cascade;
 }

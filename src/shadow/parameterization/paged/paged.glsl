@@ -8,9 +8,16 @@
 #define MAP_LEVELS 1  // map_level and map_point_at exist
 #define MAP_PAIRS 1   // casters are drawn as (triangle, unit) pairs
 
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 8, scalar) uniform Paged { PagedConstants paged; };
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 9, scalar) readonly buffer State { PageState page_state; };
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 10, scalar) readonly buffer Table { uint page_table[]; };
+#ifdef SHADEWRIGHT_LOADS_FIRST  // see map_point.glsl
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 1, scalar) uniform Paged { PagedConstants paged_uniform; };
+PagedConstants paged;
+#define MAP_LOADS 1
+void load_map() { paged = paged_uniform; }
+#else
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 1, scalar) uniform Paged { PagedConstants paged; };
+#endif
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 2, scalar) readonly buffer State { PageState page_state; };
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 3, scalar) readonly buffer Table { uint page_table[]; };
 
 #include "shadow/parameterization/paged/pages.glsl"
 

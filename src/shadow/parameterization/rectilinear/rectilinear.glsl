@@ -7,9 +7,9 @@
 #define MAP_WARPED 1  // straight edges bend: see map_flat
 #define MAP_CUT 1     // where the warp bends, casters are cut: see cut_vertex.glsl
 
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 8, scalar) readonly buffer Warp { WarpData warp; WarpSegment warp_segments[]; };
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 1, scalar) readonly buffer Warp { WarpData warp; WarpSegment warp_segments[]; };
 // Flat coordinates of texels along u, then v: lower edge, centre, lower edge of the next, ...
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 9, scalar) readonly buffer Flats { float warp_flats[]; };
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 2, scalar) readonly buffer Flats { float warp_flats[]; };
 
 // The segment that holds a flat coordinate; the end ones go on beyond [0, 1], so that casters there stay where they belong and
 // are clipped.

@@ -1,6 +1,6 @@
 // depth: a texel keeps the depth of the closest occluder at its centre (Williams 1978).
 // The storage module of a look-up; needs a parameterization before it.
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 2) uniform sampler2DArray depth_map;
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 8) uniform sampler2DArray depth_map;
 
 float storage_visible(MapPoint p) {
   ivec3 address;

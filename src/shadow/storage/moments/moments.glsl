@@ -5,7 +5,7 @@
 // Texels were averaged beforehand: a filter is one look-up, storage_filtered.
 #define STORAGE_PREFILTERED 1
 
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 2) uniform sampler2DArray moments_map;
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 8) uniform sampler2DArray moments_map;
 
 // The light's distance at p's place and another depth of the map.
 float moments_distance_at(MapPoint p, float depth) {

@@ -3,17 +3,9 @@
 #include "shadow/storage/subpixel/coverage.glsl"
 #include "shadow/storage/subpixel/texel.glsl"
 
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 2) uniform usampler2DArray subpixel_map;
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 3) uniform sampler2DArray subpixel_minimum;  // consistent minimum depth
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 4, scalar) uniform SubpixelSlopeTable { SubpixelSlopes subpixel_slopes; };
-#ifdef SHADEWRIGHT_LOADS_FIRST
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 5, scalar) uniform SubpixelConstant { SubpixelConstants subpixel_uniform; };
-SubpixelConstants subpixel;
-void load_storage() { subpixel = subpixel_uniform; }
-#define STORAGE_LOADS 1
-#else
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 5, scalar) uniform SubpixelConstant { SubpixelConstants subpixel; };
-#endif
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 8) uniform usampler2DArray subpixel_map;
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 9) uniform sampler2DArray subpixel_minimum;  // consistent minimum depth
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 10, scalar) uniform SubpixelSlopeTable { SubpixelSlopes subpixel_slopes; };
 
 struct Occluder {
   uvec3 words;
@@ -31,7 +23,7 @@ struct Occluder {
 // `minimum` is the texel's, not 1.
 Occluder occluder_at(ivec3 address, vec2 centre, float minimum, MapPoint p) {
   uvec4 texel = texelFetch(subpixel_map, address, 0);
-  SlopeCoding coding = subpixel.coding;
+  SlopeCoding coding = lookup.slope_coding;
   uint mark = (1 << coding.bits) - 1;
   uint code_x = texel.a >> (32 - coding.bits), code_y = (texel.a >> (32 - 2 * coding.bits)) & mark;
   Occluder o;

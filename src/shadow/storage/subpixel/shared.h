@@ -24,25 +24,13 @@ const float conservative_reach = half_texel + 0.015625f;
 /// Of a triangle: a closed body's side that looks away from the light. Below it there is a bit a silhouette edge.
 const uint triangle_averted = 8;
 
-/// How slopes and depth are coded. `exponent` is the paper's n.
-struct SlopeCoding {
-  uint bits;            // of one slope: 8 or 11
-  float exponent;       // of the power function of the angle; 1 is linear
-  uint absolute_depth;  // 1: 16 bits over the map's whole range; 0: 10 bits within the texel, from the minimum depth on
-};
-
 /// One decoded slope, and half the gap to the farther of its neighbours: no slope of this code is farther off.
 struct SlopeEntry {
   float slope;
   float error;
 };
 
-/// What drawing and look-up of a sub-pixel shadow map read besides the map. What is not large comes in uniform buffers,
-/// which a CPU device reads faster.
-struct SubpixelConstants {
-  SlopeCoding coding;
-  uint recovery;  // of receivers that no triangle covers: one of the three below
-};
+/// Besides the map, what drawing and look-up read: the slopes from a uniform buffer, which a CPU device reads faster.
 struct SubpixelSlopes {  // 16 KB, what every device lets a uniform buffer hold
   SlopeEntry slopes[max_slope_codes];
 };
@@ -51,6 +39,7 @@ struct SubpixelTangents {
   vec2 tangents[2048];       // four a pattern: unit normals into the shadow
 };
 const uint tangents_lit = 0, tangents_shadowed = 5;
+/// LookupData::recovery.
 const uint recovery_off = 0, recovery_silhouettes = 1, recovery_tangents = 2;
 
 /// How a receiver was decided (figure 14): by the texel that it lies in, the 3x3 around it, or silhouette recovery.

@@ -15,9 +15,9 @@ uint32_t recovery(std::string_view name) {
   return name == "tangents" ? shared::recovery_tangents : shared::recovery_silhouettes;
 }
 
-gpu::Buffer make_slopes(const gpu::Device& device, const Spec& spec) {
+gpu::Buffer make_slopes(const gpu::Device& device, const shared::SlopeCoding& coding) {
   const auto table = std::make_unique<shared::SubpixelSlopes>();
-  make_slope_table(slope_coding(spec.choice("slopes")), table->slopes);
+  make_slope_table(coding, table->slopes);
   return gpu::make_buffer<shared::SubpixelSlopes>(device, "sub-pixel slopes", std::span(table.get(), 1));
 }
 
@@ -34,18 +34,13 @@ gpu::Buffer make_tangents(const gpu::Device& device) {
   return gpu::make_buffer<shared::SubpixelTangents>(device, "sub-pixel tangents", std::span(tables.get(), 1));
 }
 
-gpu::Buffer make_constants(const gpu::Device& device, const Spec& spec, uint32_t recovery) {
-  const shared::SubpixelConstants constants{slope_coding(spec.choice("slopes")), recovery};
-  return gpu::make_buffer<shared::SubpixelConstants>(device, "sub-pixel constants", std::span(&constants, 1));
-}
-
 }  // namespace
 
 SubpixelStorage::SubpixelStorage(const gpu::Device& device, const StorageDesc& desc)
     : device_(device),
+      coding_(slope_coding(desc.spec.choice("slopes"))),
       recovery_(recovery(desc.spec.choice("recovery"))),
-      slopes_(make_slopes(device, desc.spec)),
-      constants_(make_constants(device, desc.spec, recovery_)),
+      slopes_(make_slopes(device, coding_)),
       tangents_(make_tangents(device)),
       sampler_(gpu::make_sampler(device, vk::Filter::eNearest)),
       draws_(desc.draws) {
@@ -68,7 +63,12 @@ void SubpixelStorage::record(const Frame& frame, vk::DescriptorSet lookup_set, g
 
 std::vector<gpu::Binding> SubpixelStorage::lookup_bindings() const {
   return {gpu::Binding::sampled(triangles_.view(), *sampler_), gpu::Binding::sampled(minimum_.view(), *sampler_),
-          gpu::Binding::uniform(slopes_), gpu::Binding::uniform(constants_), gpu::Binding::storage(tangents_)};
+          gpu::Binding::uniform(slopes_), gpu::Binding::storage(tangents_)};
+}
+
+void SubpixelStorage::write_lookup(shared::LookupData& lookup) const {
+  lookup.slope_coding = coding_;
+  lookup.recovery = recovery_;
 }
 
 Picture SubpixelStorage::debug_picture(std::string_view) {
@@ -76,8 +76,7 @@ Picture SubpixelStorage::debug_picture(std::string_view) {
 }
 
 std::vector<Allocation> SubpixelStorage::allocations() const {
-  return {triangles_.allocation(), minimum_.allocation(), slopes_.allocation(), constants_.allocation(),
-          tangents_.allocation()};
+  return {triangles_.allocation(), minimum_.allocation(), slopes_.allocation(), tangents_.allocation()};
 }
 
 }  // namespace shadewright::shadow

@@ -10,9 +10,9 @@
 #define STORAGE_PASSES 1
 #define STORAGE_DECISIONS 3  // so many ways to come to an answer, from 1 on; `storage_decision` tells which
 
-// SubpixelConstants::recovery + 1 where it is known when the look-up is compiled, which leaves the other way out.
+// LookupData::recovery + 1 where it is known when the look-up is compiled, which leaves the other way out.
 layout(constant_id = 2) const uint known_recovery = 0;
-uint subpixel_recovery() { return known_recovery == 0 ? subpixel.recovery : known_recovery - 1; }
+uint subpixel_recovery() { return known_recovery == 0 ? lookup.recovery : known_recovery - 1; }
 
 // How the last receiver was decided (figure 14), by which of the 3x3 texels, and the nearest place of the shadow's border that recovery
 // found, in texels from the receiver.

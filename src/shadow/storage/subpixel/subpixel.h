@@ -22,6 +22,7 @@ class SubpixelStorage final : public Storage {
 
   void record(const Frame& frame, vk::DescriptorSet lookup_set, gpu::Recorder& recorder) override;
   std::vector<gpu::Binding> lookup_bindings() const override;
+  void write_lookup(shared::LookupData& lookup) const override;
   uint32_t lookup_constant() const override { return recovery_ + 1; }
   std::vector<Allocation> allocations() const override;
   /// The consistent minimum depths, near bright and empty black, layers one below the other.
@@ -30,8 +31,9 @@ class SubpixelStorage final : public Storage {
  private:
   const gpu::Device& device_;
   gpu::Image triangles_, minimum_;
+  shared::SlopeCoding coding_;
   uint32_t recovery_;
-  gpu::Buffer slopes_, constants_, tangents_;
+  gpu::Buffer slopes_, tangents_;
   vk::raii::Sampler sampler_;
   CasterDraws& draws_;
 };

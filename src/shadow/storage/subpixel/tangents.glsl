@@ -3,7 +3,7 @@
 
 #include "shadow/storage/subpixel/shared.h"
 
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 6, scalar) readonly buffer SubpixelTangentTable { SubpixelTangents subpixel_tangents; };
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 11, scalar) readonly buffer SubpixelTangentTable { SubpixelTangents subpixel_tangents; };
 
 // The border of the shadow along one tangent, as piecewise linear as the occluders' edges are: how deep in the shadow it lies,
 // at the receiver, and the nearest of its vertices to both sides.

@@ -1,12 +1,14 @@
 #include "shadow/storage/triangle/triangle.h"
 
 #include "shadow/storage/depth_picture.h"
-#include "shadow/storage/triangle/shared.h"
 
 namespace shadewright::shadow {
 
 TriangleStorage::TriangleStorage(const gpu::Device& device, const StorageDesc& desc)
-    : device_(device), sampler_(gpu::make_sampler(device, vk::Filter::eNearest)), draws_(desc.draws) {
+    : device_(device),
+      reach_(desc.spec.choice("kernel") == "5" ? 2 : 1),
+      sampler_(gpu::make_sampler(device, vk::Filter::eNearest)),
+      draws_(desc.draws) {
   using Usage = vk::ImageUsageFlagBits;
   const MapExtent& extent = desc.extent;
   depth_ = gpu::Image(device, {"triangle depth", vk::Format::eD32Sfloat, extent.width, extent.height, extent.layers,
@@ -17,8 +19,6 @@ TriangleStorage::TriangleStorage(const gpu::Device& device, const StorageDesc& d
     vertices_[i] = gpu::Image(device, {"triangle map", formats[i], extent.width, extent.height, extent.layers,
                                        Usage::eColorAttachment | Usage::eSampled, true});
   draws_.make_pipelines(device, {desc.spec, desc.lookup_layout, {formats.begin(), formats.end()}});
-  const shared::TriangleLookup constants{desc.spec.choice("kernel") == "5" ? 2 : 1};
-  constants_ = gpu::make_buffer<shared::TriangleLookup>(device, "triangle constants", std::span(&constants, 1));
 }
 
 void TriangleStorage::record(const Frame& frame, vk::DescriptorSet lookup_set, gpu::Recorder& recorder) {
@@ -30,7 +30,6 @@ void TriangleStorage::record(const Frame& frame, vk::DescriptorSet lookup_set, g
 std::vector<gpu::Binding> TriangleStorage::lookup_bindings() const {
   std::vector<gpu::Binding> bindings{gpu::Binding::sampled(depth_.view(), *sampler_)};
   for (const gpu::Image& image : vertices_) bindings.push_back(gpu::Binding::sampled(image.view(), *sampler_));
-  bindings.push_back(gpu::Binding::uniform(constants_));
   return bindings;
 }
 
@@ -39,7 +38,7 @@ Picture TriangleStorage::debug_picture(std::string_view) {
 }
 
 std::vector<Allocation> TriangleStorage::allocations() const {
-  std::vector<Allocation> result{depth_.allocation(), constants_.allocation()};
+  std::vector<Allocation> result{depth_.allocation()};
   for (const gpu::Image& image : vertices_) result.push_back(image.allocation());
   return result;
 }

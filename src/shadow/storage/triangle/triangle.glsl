@@ -1,12 +1,10 @@
 // triangle: a texel keeps the closest triangle at its centre; the receiver's ray to the light is tested against those of the texels
 // around it (RGSM 2008). The storage module of a look-up; needs a parameterization before it.
-#include "shadow/storage/triangle/shared.h"
 
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 2) uniform sampler2DArray triangle_depth;
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 3) uniform sampler2DArray triangle_first;
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 4) uniform sampler2DArray triangle_second;
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 5) uniform sampler2DArray triangle_third;
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 6, scalar) uniform Triangles { TriangleLookup triangle_lookup; };
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 8) uniform sampler2DArray triangle_depth;
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 9) uniform sampler2DArray triangle_first;
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 10) uniform sampler2DArray triangle_second;
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 11) uniform sampler2DArray triangle_third;
 
 // Where along the ray the triangle lies; infinity where it does not meet (Möller and Trumbore 1997).
 float triangle_hit(Ray ray, vec3 a, vec3 b, vec3 c) {
@@ -23,7 +21,7 @@ float storage_visible(MapPoint p) {
   vec3 receiver = map_unproject(p, p.uv, p.depth - lookup.bias_scale * p.tolerance);
   Ray ray = Ray(receiver, -map_ray(p, p.uv).direction);
   float farthest = lookup.light_kind == light_directional ? 1.0 / 0.0 : distance(receiver, lookup.light_position);
-  int reach = triangle_lookup.reach;
+  int reach = lookup.triangle_reach;
   for (int y = -reach; y <= reach; ++y)
     for (int x = -reach; x <= reach; ++x) {
       ivec3 at;

@@ -16,6 +16,7 @@ class TriangleStorage final : public Storage {
 
   void record(const Frame& frame, vk::DescriptorSet lookup_set, gpu::Recorder& recorder) override;
   std::vector<gpu::Binding> lookup_bindings() const override;
+  void write_lookup(shared::LookupData& lookup) const override { lookup.triangle_reach = reach_; }
   std::vector<Allocation> allocations() const override;
   /// The depths, near bright and empty black, layers one below the other.
   Picture debug_picture(std::string_view name) override;
@@ -24,7 +25,7 @@ class TriangleStorage final : public Storage {
   const gpu::Device& device_;
   gpu::Image depth_;
   std::array<gpu::Image, 3> vertices_;
-  gpu::Buffer constants_;
+  int reach_;  ///< texels to each side whose triangles are tested
   vk::raii::Sampler sampler_;
   CasterDraws& draws_;
 };
