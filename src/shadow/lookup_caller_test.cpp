@@ -38,12 +38,12 @@ class LookupCallerTest : public gpu::DeviceTest {
     EXPECT_GT(std::ranges::count(expected, std::byte{255}), 100);
     const auto shader = shader_for(technique);
     ASSERT_FALSE(shader.empty());
-    std::array<uint32_t, 3> constants{};
+    std::array<uint32_t, 4> constants{};
     const auto named = technique.lookup_constants();
     ASSERT_LE(named.size(), constants.size());
     std::ranges::copy(named, constants.begin());
-    const auto caller =
-        specialized ? pass(shader, technique, {constants[0], constants[1], constants[2]}) : pass(shader, technique, {});
+    const auto caller = specialized ? pass(shader, technique, {constants[0], constants[1], constants[2], constants[3]})
+                                    : pass(shader, technique, {});
     EXPECT_EQ(count_others(expected, ask(caller, technique)), 0u) << (specialized ? "specialized" : "not specialized");
   }
 

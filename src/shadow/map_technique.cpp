@@ -177,7 +177,7 @@ std::vector<std::string> MapTechnique::lookup_includes() const {
 
 std::vector<uint32_t> MapTechnique::lookup_constants() const {
   if (!built_for_) return {};
-  return {*built_for_ == LightKind::point, 0, storage_->lookup_constant()};
+  return {*built_for_ == LightKind::point, 0, storage_->lookup_constant(), parameterization_->lookup_constant()};
 }
 
 std::optional<OracleRays> MapTechnique::oracle_rays(const Frame& frame) {
