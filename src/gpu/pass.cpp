@@ -30,7 +30,7 @@ class Writes {
       const Binding& b = bindings[i];
       vk::WriteDescriptorSet write(set, first + i, 0, 1, descriptor_type(b.kind));
       if (b.buffer) {
-        buffers_[i] = vk::DescriptorBufferInfo(b.buffer, 0, VK_WHOLE_SIZE);
+        buffers_[i] = vk::DescriptorBufferInfo(b.buffer, 0, b.bytes);
         write.pBufferInfo = &buffers_[i];
       } else {
         images_[i] = vk::DescriptorImageInfo(b.sampler, b.view, b.layout);

@@ -21,9 +21,12 @@ struct Binding {
   vk::ImageView view;
   vk::Sampler sampler;
   vk::ImageLayout layout = vk::ImageLayout::eUndefined;
+  vk::DeviceSize bytes = VK_WHOLE_SIZE;  ///< of the buffer, from its beginning
 
   static Binding storage(const Buffer& buffer) { return {BindingKind::storage_buffer, buffer.handle(), {}, {}}; }
-  static Binding uniform(const Buffer& buffer) { return {BindingKind::uniform_buffer, buffer.handle(), {}, {}}; }
+  static Binding uniform(const Buffer& buffer, vk::DeviceSize bytes = VK_WHOLE_SIZE) {
+    return {BindingKind::uniform_buffer, buffer.handle(), {}, {}, {}, bytes};
+  }
   static Binding sampled(vk::ImageView view, vk::Sampler sampler) {
     return {BindingKind::sampled_image, {}, view, sampler, vk::ImageLayout::eShaderReadOnlyOptimal};
   }

@@ -131,8 +131,7 @@ Precomputed::Precomputed(const gpu::Device& device, const Spec& spec, const Tech
       buffers.emplace_back(device, name, bytes, gpu::HostAccess::write);
     };
     add(cameras_, "shadow camera", sizeof(shared::CameraData));
-    add(constants_, "precomputed constants", sizeof(shared::PrecomputedData));
-    add(lookups_, "shadow constants", sizeof(shared::LookupData));
+    add(constants_, "precomputed constants", sizeof(shared::PrecomputedUniform));
     add(rows_, "precomputed receivers", sizeof(shared::ReceiverRows<double, glm::dvec4>));
   }
 }
@@ -196,7 +195,7 @@ void Precomputed::use(voxel::VoxelShadow shadow, const Light& light) {
   data.texel_size = glm::vec2(grid.texel_size);
   data.depth = grid.depth();
   data.dag_count = static_cast<uint32_t>(shadow_.dags().size());
-  for (const gpu::Buffer& buffer : constants_) buffer.mapped<shared::PrecomputedData>()[0] = data;
+  for (const gpu::Buffer& buffer : constants_) buffer.mapped<shared::PrecomputedUniform>()[0].precomputed = data;
   access_ = choose_access(words.size());
   upload_words(words);
   make_sets();
@@ -256,8 +255,7 @@ std::vector<gpu::Binding> Precomputed::word_bindings() const {
 void Precomputed::make_sets() {
   using gpu::Binding;
   const auto bindings = [&](uint32_t i) {
-    std::vector<Binding> all{Binding::uniform(constants_[i]), Binding::uniform(lookups_[i]),
-                             Binding::uniform(rows_[i])};
+    std::vector<Binding> all{Binding::uniform(constants_[i]), Binding::uniform(rows_[i])};
     for (const Binding& binding : word_bindings()) all.push_back(binding);
     return all;
   };
@@ -306,14 +304,15 @@ std::vector<std::string> Precomputed::lookup_defines() const {
 void Precomputed::write_constants(const Frame& frame) {
   const uint32_t i = slot(frame);
   cameras_[i].mapped<shared::CameraData>()[0] = render::camera_data(frame.camera);
-  lookups_[i].mapped<shared::LookupData>()[0] = lookup_data(frame);
+  auto& constants = constants_[i].mapped<shared::PrecomputedUniform>()[0];
+  constants.lookup = lookup_data(frame);
   const glm::dvec3 eye = frame.camera.eye();
   const voxel::LightGrid& light = shadow_.light();
   if (double_precision_)
     rows_[i].mapped<shared::ReceiverRows<double, glm::dvec4>>()[0] = receiver_rows<double, glm::dvec4>(light, eye);
   else
     rows_[i].mapped<shared::ReceiverRows<float, glm::vec4>>()[0] = receiver_rows<float, glm::vec4>(light, eye);
-  shared::PrecomputedData& data = constants_[i].mapped<shared::PrecomputedData>()[0];
+  shared::PrecomputedData& data = constants.precomputed;
   const glm::dvec2 middle(0.5 * frame.camera.width, 0.5 * frame.camera.height);
   const glm::dvec3 across = frame.camera.ray(middle + glm::dvec2(1, 0)) - frame.camera.ray(middle),
                    down = frame.camera.ray(middle + glm::dvec2(0, 1)) - frame.camera.ray(middle),
@@ -346,7 +345,7 @@ std::vector<Allocation> Precomputed::allocations() const {
   std::vector<Allocation> result{visibility_.allocation()};
   if (words_.image) result.push_back(words_.image.allocation());
   if (words_.address) result.push_back(words_.address.allocation());
-  for (const auto* buffers : {&words_.buffers, &cameras_, &constants_, &lookups_, &rows_})
+  for (const auto* buffers : {&words_.buffers, &cameras_, &constants_, &rows_})
     for (const auto& buffer : *buffers) result.push_back(buffer.allocation());
   if (moving_)
     for (Allocation& allocation : moving_->allocations()) result.push_back(std::move(allocation));

@@ -29,29 +29,34 @@ const bool far_mraa = (variant & 0x100u) != 0u, far_voaa = (variant & 0x200u) !=
 const bool fixed_order = (variant & 0x400u) != 0u, one_window = (variant & 0x800u) != 0u;
 const bool leaf_by_leaf = (variant & 0x2000u) != 0u;
 
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 0, scalar) uniform Precomputed { PrecomputedData precomputed; };
 #ifdef SHADEWRIGHT_LOADS_FIRST  // see map_point.glsl
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 1, scalar) uniform Lookup { LookupData lookup_uniform; };
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 0, scalar) uniform Precomputed {
+  LookupData lookup_uniform;
+  PrecomputedData precomputed;
+};
 LookupData lookup;
 void load_lookup() { lookup = lookup_uniform; }
 #else
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 1, scalar) uniform Lookup { LookupData lookup; };
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 0, scalar) uniform Precomputed {
+  LookupData lookup;
+  PrecomputedData precomputed;
+};
 #endif
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 2, scalar) uniform Rows { ReceiverRows rows; };
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 1, scalar) uniform Rows { ReceiverRows rows; };
 
 #if defined(PRECOMPUTED_IMAGE)
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 3) uniform usampler2D dag_image;
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 2) uniform usampler2D dag_image;
 uint dag_word(uint at) { return texelFetch(dag_image, ivec2(at & 16383u, at >> 14), 0).r; }
 #elif defined(PRECOMPUTED_ADDRESS)
 layout(buffer_reference, scalar) readonly buffer DagWords { uint words[]; };
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 3, scalar) uniform DagAddress { DagWords dag_address; };
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 2, scalar) uniform DagAddress { DagWords dag_address; };
 uint dag_word(uint at) { return dag_address.words[at]; }
 #else
 // 2^25 words are 128 MB, what every device binds at once.
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 3, scalar) readonly buffer Window0 { uint window0[]; };
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 4, scalar) readonly buffer Window1 { uint window1[]; };
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 5, scalar) readonly buffer Window2 { uint window2[]; };
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 6, scalar) readonly buffer Window3 { uint window3[]; };
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 2, scalar) readonly buffer Window0 { uint window0[]; };
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 3, scalar) readonly buffer Window1 { uint window1[]; };
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 4, scalar) readonly buffer Window2 { uint window2[]; };
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 5, scalar) readonly buffer Window3 { uint window3[]; };
 uint dag_word(uint at) {
   if (one_window) return window0[at];
   uint within = at & 0x1ffffffu;

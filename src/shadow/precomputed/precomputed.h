@@ -75,8 +75,8 @@ class Precomputed final : public Technique {
   vk::raii::Sampler sampler_{nullptr};
   Access access_ = Access::windows;
   Words words_;
-  uint32_t variant_ = 1;                                           ///< precomputed.glsl's specialization constant
-  std::vector<gpu::Buffer> cameras_, constants_, lookups_, rows_;  ///< by slot, host-written
+  uint32_t variant_ = 1;                                 ///< precomputed.glsl's specialization constant
+  std::vector<gpu::Buffer> cameras_, constants_, rows_;  ///< by slot, host-written
   LookupSets lookup_sets_;
   gpu::ComputePass pass_;
 };

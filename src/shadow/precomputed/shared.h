@@ -40,6 +40,11 @@ struct PrecomputedData {
 };
 
 #ifdef __cplusplus
+/// The buffer at binding 0 of the look-up's set; one, for the reason told of LookupUniform.
+struct PrecomputedUniform {
+  LookupData lookup;
+  PrecomputedData precomputed;
+};
 }  // namespace shadewright::shared
 #endif
 #endif

@@ -3,6 +3,7 @@
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
+#define SHADEWRIGHT_LOADS_FIRST 1
 #include "shadow/parameterization/paged/paged.glsl"
 #include "shadow/receivers.glsl"
 
@@ -16,6 +17,8 @@ shared uint group_requests;
 #include "shadow/parameterization/paged/page_request.glsl"
 
 void main() {
+  load_receivers();
+  load_map();
   if (gl_LocalInvocationIndex == 0) group_requests = 0;
   barrier();
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy * paged.analysis_scale);
@@ -24,7 +27,7 @@ void main() {
     if (r.facing) {
       vec4 plane = vec4(r.normal, -dot(r.normal, r.world));
       uint face = paged_face(r.world), level = uint(map_level(r.world, plane));
-      MapPoint p = map_project(map_views[face], 0, r.world, plane, vec2(0.0));
+      MapPoint p = map_project(map_view(face), 0, r.world, plane, vec2(0.0));
       for (uint l = level; l < min(level + paged.footprint_levels, paged.coarsest + 1); ++l) request_level(p, face, l);
       atomicAdd(group_requests, 1);
     }

@@ -232,11 +232,13 @@ void Rectilinear::record(const Frame& frame, const ReceiverLookup& receivers, gp
 }
 
 std::vector<gpu::BindingKind> Rectilinear::lookup_kinds() const {
-  return {gpu::BindingKind::storage_buffer, gpu::BindingKind::storage_buffer};
+  using enum gpu::BindingKind;
+  return {uniform_buffer, storage_buffer, storage_buffer};
 }
 
 std::vector<gpu::Binding> Rectilinear::lookup_bindings(uint32_t) const {
-  return {gpu::Binding::storage(warp_), gpu::Binding::storage(flats_)};
+  using gpu::Binding;
+  return {Binding::uniform(warp_, sizeof(shared::WarpHeader)), Binding::storage(warp_), Binding::storage(flats_)};
 }
 
 Counters Rectilinear::counters() const {
@@ -314,7 +316,7 @@ Picture Rectilinear::debug_picture(std::string_view name, const ReceiverLookup&)
   // The densities of columns and rows, brighter for more: their product, as the map's texels see it.
   double greatest[2] = {1e-30, 1e-30};
   for (uint32_t axis = 0; axis < 2; ++axis)
-    for (uint32_t k = 0; k < warp.segment_counts[axis]; ++k)
+    for (uint32_t k = 0; k < warp.header.segment_counts[axis]; ++k)
       greatest[axis] = std::max(greatest[axis], static_cast<double>(segments[axis * cells_ + k].slope));
   for (uint32_t y = 0; y < size; ++y)
     for (uint32_t x = 0; x < size; ++x) {

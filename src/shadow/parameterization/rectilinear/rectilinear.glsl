@@ -7,15 +7,23 @@
 #define MAP_WARPED 1  // straight edges bend: see map_flat
 #define MAP_CUT 1     // where the warp bends, casters are cut: see cut_vertex.glsl
 
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 1, scalar) readonly buffer Warp { WarpData warp; WarpSegment warp_segments[]; };
+#ifdef SHADEWRIGHT_LOADS_FIRST  // see map_point.glsl
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 1, scalar) uniform Warp { WarpHeader warp_uniform; };
+WarpHeader warp;
+#define MAP_LOADS 1
+void load_map() { warp = warp_uniform; }
+#else
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 1, scalar) uniform Warp { WarpHeader warp; };
+#endif
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 2, scalar) readonly buffer WarpSegments { WarpData warp_data; WarpSegment warp_segments[]; };
 // Flat coordinates of texels along u, then v: lower edge, centre, lower edge of the next, ...
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 2, scalar) readonly buffer Flats { float warp_flats[]; };
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 3, scalar) readonly buffer Flats { float warp_flats[]; };
 
 // The segment that holds a flat coordinate; the end ones go on beyond [0, 1], so that casters there stay where they belong and
 // are clipped.
 uint warp_segment(uint axis, float x) {
   uint cell = uint(clamp(floor(x * float(warp.cells)), 0.0, float(warp.cells - 1)));
-  return warp.first_segments[axis * max_cells + cell];
+  return warp_data.first_segments[axis * max_cells + cell];
 }
 
 float warp_axis(uint axis, float x, out WarpSegment s) {

@@ -78,16 +78,21 @@ struct WarpSegment {
   float half_texel;  // the most that lies between the centre of a texel here and its edge, flat
 };
 
-/// What the look-up reads, followed by segments along u, segments along v (`cells` places each).
-struct WarpData {
+/// What the look-up reads as a uniform buffer, from the same memory as the rest.
+struct WarpHeader {
   vec3 flat_from_map[2];  // rows
   vec3 map_from_flat[2];
   uint cells;
   uint resolution;
   uint segment_counts[2];
-  uint first_segments[2 * max_cells];  // of each super-cell: the segment that its lower edge lies in
-  float longest_edge;                  // of tessellated casters, of the map's width
+  float longest_edge;  // of tessellated casters, of the map's width
   uint cut;  // casters are cut where the warp bends, and it does so at edges of texels only; 0: they are bent
+};
+
+/// A warp, followed by segments along u, segments along v (`cells` places each).
+struct WarpData {
+  WarpHeader header;
+  uint first_segments[2 * max_cells];  // of each super-cell: the segment that its lower edge lies in
 };
 
 /// What a frame leaves to the next, for temporal blending: importance by metres along both axes.

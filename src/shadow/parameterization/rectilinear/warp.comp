@@ -217,22 +217,22 @@ void main() {
   if (me != 0) return;
   float steepest = 0.0;
   for (uint i = 0; i < count; ++i) steepest = max(steepest, segments[axis * n + i].slope);
-  warp.segment_counts[axis] = count;
+  warp.header.segment_counts[axis] = count;
   figures.finest[axis] = steepest / (range.y - range.x);
 
   vec3 row = axis == 0 ? o.u : o.v;
   row.z -= range.x;
-  warp.flat_from_map[axis] = row / (range.y - range.x);
+  warp.header.flat_from_map[axis] = row / (range.y - range.x);
   if (axis == 0) {
-    warp.cells = n;
-    warp.resolution = constants.resolution;
-    warp.longest_edge = constants.longest_edge;
-    warp.cut = constants.max_segments;
+    warp.header.cells = n;
+    warp.header.resolution = constants.resolution;
+    warp.header.longest_edge = constants.longest_edge;
+    warp.header.cut = constants.max_segments;
     vec2 other = useful(1);
     mat2 back = inverse(transpose(mat2(o.u.xy, o.v.xy)));
     vec2 at = back * (vec2(range.x, other.x) - vec2(o.u.z, o.v.z));
     vec2 step_u = back[0] * (range.y - range.x), step_v = back[1] * (other.y - other.x);
-    warp.map_from_flat[0] = vec3(step_u.x, step_v.x, at.x);
-    warp.map_from_flat[1] = vec3(step_u.y, step_v.y, at.y);
+    warp.header.map_from_flat[0] = vec3(step_u.x, step_v.x, at.x);
+    warp.header.map_from_flat[1] = vec3(step_u.y, step_v.y, at.y);
   }
 }
