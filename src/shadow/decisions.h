@@ -1,7 +1,9 @@
-// How the receivers of a frame were decided, for storages whose look-up tells (STORAGE_DECISIONS in its GLSL module):
-// counters and a debug picture (SPSM figure 14).
+// How the receivers of a frame were decided, for storages whose look-up tells (`storage_decision` in its GLSL module):
+// counters and a debug picture (SPSM figure 14). The frame's look-up itself does not tell, since counting took a tenth
+// of its time: these ask every receiver once more.
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "shadewright/shadow/technique.h"
@@ -9,31 +11,16 @@
 
 namespace shadewright::shadow {
 
-class Decisions {
- public:
-  /// `names` of the decisions from 1 on.
-  Decisions(const gpu::Device& device, std::vector<std::string> names, uint32_t frames_in_flight);
+/// A word a receiver: how it was decided, from 1 on, plus shared::decided_lit where it is lit; 0 where there is none.
+/// Waits. `maps` is "parameterization/storage".
+std::vector<uint32_t> decisions(const gpu::Device& device, std::string_view maps, const ReceiverLookup& lookup,
+                                bool six_faces);
 
-  /// What the look-up counts into.
-  gpu::Binding binding() const { return gpu::Binding::storage(counts_); }
-  /// Recorded before the look-up and after it.
-  void clear(const vk::raii::CommandBuffer& commands) const;
-  void take(const vk::raii::CommandBuffer& commands, uint32_t slot);
-
-  /// Of the last frame that was recorded, once it has finished.
-  Counters counters() const;
-  std::vector<Allocation> allocations() const;
-
- private:
-  std::vector<std::string> names_;
-  gpu::Buffer counts_;
-  std::vector<gpu::Buffer> read_;  ///< by slot
-  uint32_t last_slot_ = 0;
-};
+/// How many receivers there are of each decision; `names` of these from 1 on.
+Counters decision_counters(std::span<const uint32_t> decisions, std::span<const std::string> names);
 
 /// Each receiver's colour: grey where its own texel decided, green where its neighbours, red where recovery did; bright
-/// where lit. Waits. `maps` is "parameterization/storage".
-Picture decisions_picture(const gpu::Device& device, std::string_view maps, const ReceiverLookup& lookup,
-                          bool six_faces);
+/// where lit.
+Picture decisions_picture(std::span<const uint32_t> decisions, uint32_t width, uint32_t height);
 
 }  // namespace shadewright::shadow

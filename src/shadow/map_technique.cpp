@@ -47,8 +47,6 @@ MapTechnique::MapTechnique(const gpu::Device& device, const Spec& spec, const Te
     cameras_.emplace_back(device, "shadow camera", sizeof(shared::CameraData), gpu::HostAccess::write);
     lookups_.emplace_back(device, "shadow constants", sizeof(shared::LookupUniform), gpu::HostAccess::write);
   }
-  if (auto names = storage_traits(spec.storage).decisions; !names.empty())
-    decisions_.emplace(device, std::move(names), options.frames_in_flight);
   // Constants and views, the parameterization's resources and the storage's: see map_point.glsl and the modules' GLSL.
   using enum gpu::BindingKind;
   const LookupSets::Part parts[] = {{0, {uniform_buffer}},
@@ -73,10 +71,9 @@ void MapTechnique::build_for(LightKind light) {
   draws_ = parameterization_->make_caster_draws(light, options_.frames_in_flight);
   storage_ = make_storage(device_, {spec_, parameterization_->map_extent(light), *draws_, lookup_sets_.layout()});
   using enum gpu::BindingKind;
-  std::vector kinds{uniform_buffer, sampled_image, sampled_image, storage_image};
-  if (decisions_) kinds.push_back(storage_buffer);
   lookup_ =
-      LookupPasses(device_, spec_, {options_.width, options_.height}, std::move(kinds), lookup_sets_.layout(),
+      LookupPasses(device_, spec_, {options_.width, options_.height},
+                   {uniform_buffer, sampled_image, sampled_image, storage_image}, lookup_sets_.layout(),
                    light == LightKind::point, {storage_->lookup_constant(), parameterization_->lookup_constant()});
   built_for_ = light;
   write_lookup_sets();
@@ -140,13 +137,8 @@ void MapTechnique::record(const Frame& frame, gpu::Recorder& recorder) {
     visibility_.transition(commands, vk::ImageLayout::eGeneral, true);
     auto bindings = last_.receivers;
     bindings.push_back(gpu::Binding::storage(visibility_.view()));
-    if (decisions_) {
-      decisions_->clear(commands);
-      bindings.push_back(decisions_->binding());
-    }
     lookup_.record(commands, std::move(bindings), last_.set);
     visibility_.transition(commands, vk::ImageLayout::eShaderReadOnlyOptimal);
-    if (decisions_) decisions_->take(commands, slot(frame));
   });
 }
 
@@ -160,7 +152,6 @@ std::vector<Allocation> MapTechnique::allocations() const {
     append(draws_->allocations());
   }
   append(parameterization_->allocations());
-  if (decisions_) append(decisions_->allocations());
   append(lookup_.allocations());
   for (const auto* buffers : {&cameras_, &lookups_})
     for (const auto& buffer : *buffers) result.push_back(buffer.allocation());
@@ -208,13 +199,18 @@ std::optional<OracleRays> MapTechnique::oracle_rays(const Frame& frame) {
   return OracleRays{one_texel_answers ? read(origins) : std::vector<glm::vec3>{}, read(texel_u), read(texel_v)};
 }
 
+std::vector<uint32_t> MapTechnique::last_decisions() const {
+  return decisions(device_, spec_.parameterization + "/" + spec_.storage, last_, *built_for_ == LightKind::point);
+}
+
 Counters MapTechnique::counters() const {
   Counters counters = parameterization_->counters();
   if (storage_) {
     counters.merge(draws_->counters());
     counters.merge(storage_->counters());
   }
-  if (decisions_) counters.merge(decisions_->counters());
+  if (const auto names = storage_traits(spec_.storage).decisions; built_for_ && !names.empty())
+    counters.merge(decision_counters(last_decisions(), names));
   return counters;
 }
 
@@ -229,10 +225,9 @@ Picture MapTechnique::debug_picture(std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
   if (has(parameterization_->debug_names())) return parameterization_->debug_picture(name, last_);
-  if (decisions_ && built_for_ && name == "decisions")
-    return decisions_picture(device_, spec_.parameterization + "/" + spec_.storage, last_,
-                             *built_for_ == LightKind::point);
-  if (storage_ && has(storage_traits(spec_.storage).debug_names)) return storage_->debug_picture(name);
+  if (storage_ && has(storage_traits(spec_.storage).debug_names))
+    return name == "decisions" ? decisions_picture(last_decisions(), last_.width, last_.height)
+                               : storage_->debug_picture(name);
   return Technique::debug_picture(name);
 }
 

@@ -41,6 +41,8 @@ class MapTechnique final : public Technique {
   /// Culls the casters and draws them into the map.
   void draw(const Frame& frame, gpu::Recorder& recorder);
   std::vector<gpu::Binding> receiver_bindings(const Frame& frame) const;
+  /// How the receivers of the last recorded frame were decided, see decisions.h. Waits.
+  std::vector<uint32_t> last_decisions() const;
 
   Spec spec_;
   TechniqueOptions options_;
@@ -53,8 +55,7 @@ class MapTechnique final : public Technique {
   std::unique_ptr<Storage> storage_;
   std::optional<LightKind> built_for_;
   LookupPasses lookup_;
-  std::optional<Decisions> decisions_;  ///< where the storage's look-up tells
-  ReceiverLookup last_;                 ///< of the last prepared frame
+  ReceiverLookup last_;  ///< of the last prepared frame
 };
 
 }  // namespace shadewright::shadow

@@ -61,10 +61,6 @@ struct DeferredReceivers {
 };
 const uint deferred_group = 64, max_lookup_passes = 3;
 
-/// Receivers are counted, by how they were decided, in as many banks: cores that count into one cache line wait for
-/// each other, which took a sixteenth of a sub-pixel look-up's time. A bank has a line of its own.
-const uint decision_banks = 32, decision_bank_words = 16;
-
 /// Of caster_sides.comp: four bits a triangle, three of silhouette edges below this one.
 const uint side_drawn = 8, sides_per_word = 8;
 struct SidesConstants {

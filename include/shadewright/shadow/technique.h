@@ -96,6 +96,7 @@ class Technique {
   /// R8, 1 = lit, of the size in the options. Pixels without geometry are lit, faces turned away are not.
   virtual gpu::Image& visibility() = 0;
   virtual std::vector<Allocation> allocations() const = 0;
+  /// Figures of the last recorded frame, once it has finished. Some ask the device for them and wait.
   virtual Counters counters() const { return {}; }
 
   /// The views of the last prepared frame.

@@ -4,7 +4,6 @@
 // farther away than that, the pixel's larger part differs from its middle in truth too: there a filter is "wrong" where `hard` is right.
 #define FILTER_FOOTPRINT 1
 #define FILTER_PASSES 2
-#define FILTER_DECISIONS(pass) (pass == 0 ? uvec2(1) : uvec2(1, STORAGE_DECISIONS))
 
 // How far a step of one pixel moves the receiver over its plane, world space: the caller's business.
 vec3 filter_step_x, filter_step_y;

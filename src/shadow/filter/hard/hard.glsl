@@ -4,7 +4,6 @@ float filter_visible(vec3 world, vec4 plane) { return storage_visible(map_point(
 // The same in passes, for storages that tell more and more at a growing price: false leaves the answer to the next pass.
 #ifdef STORAGE_PASSES
 #define FILTER_PASSES 3
-#define FILTER_DECISIONS(pass) uvec2(pass + 1)  // the first and the last of the storage's ways in which a pass decides
 
 bool filter_pass(uint pass, vec3 world, vec4 plane, out float visible) {
   MapPoint p = map_point(world, plane);

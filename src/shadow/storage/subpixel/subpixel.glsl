@@ -8,7 +8,6 @@
 #include "shadow/storage/subpixel/tangents.glsl"
 
 #define STORAGE_PASSES 1
-#define STORAGE_DECISIONS 3  // so many ways to come to an answer, from 1 on; `storage_decision` tells which
 
 // LookupData::recovery + 1 where it is known when the look-up is compiled, which leaves the other way out.
 layout(constant_id = 2) const uint known_recovery = 0;
