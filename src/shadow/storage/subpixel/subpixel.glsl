@@ -125,7 +125,7 @@ bool subpixel_before(MapPoint p, vec2 centre, ivec2 offset) {
 }
 
 // The same of all sixteen texels around the 3x3. What casts so wide a shadow is thick or lies in many layers: of receivers among nothing but
-// silhouettes that it surrounds 55 to 90 % are shadowed, of others 10 to 30 %.
+// silhouettes that it surrounds 55 to 90 % are shadowed, of others 10 to 35 %.
 bool subpixel_surrounded(MapPoint p, vec2 centre) {
   bool surrounded = true;
   for (int k = -2; k < 2 && surrounded; ++k)
@@ -137,7 +137,7 @@ bool subpixel_surrounded(MapPoint p, vec2 centre) {
 // What covers the receiver touches its texel: where that holds nothing before the plane, and few of the others do, there is light. Where
 // more do, as at contacts, the texel may have kept what reaches below the plane instead.
 bool subpixel_behind_silhouettes(MapPoint p, vec2 centre) {
-  const int own = 4, few = 3;
+  const int own = 4, few = 2;
   bool touched;
   int occluded = 0;
   uint candidates = 0;
