@@ -1,6 +1,7 @@
 // Perspective against uniform maps on random cameras and lights (techniques.md, section 2): the ratio of wrong pixels,
-// and the oracle. Usage: psm_random_pairs [SCENE] [PAIRS] [SEED] [SPEC] [RESOLUTION] [WIDTHxHEIGHT]; PAIRS 0 = the
-// scene's own cameras and first light.
+// and the oracle. Usage: psm_random_pairs [SCENE] [PAIRS] [SEED] [SPEC] [RESOLUTION] [WIDTHxHEIGHT] [PAIR FOLDER];
+// PAIRS 0 = the scene's own cameras and first light. With a PAIR's number only that one is run, and FOLDER gets its
+// pictures: the truth with false shadow in red and false light in blue.
 //
 // Random cameras also stand inside closed bodies, most often in the ground. They see bodies' inner sides only, whose
 // shadows are those of seams: that nothing breaks there counts, how many pixels differ says nothing about a view that
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <vector>
 
 #include "compare/study/pair_errors_for_test.h"
@@ -69,13 +71,15 @@ int main(int argc, char** argv) {
   std::string spec = argument(4, "psm");
   spec.insert(std::min(spec.find(','), spec.size()), "@" + resolution);
   const std::string other_texels = fmt::format("sm@{}", std::stoi(resolution) - 2);
-  compare::PairErrors errors(device, scene, width, height, {"sm@" + resolution, spec, other_texels});
+  const std::vector<std::string> specs{"sm@" + resolution, spec, other_texels};
+  compare::PairErrors errors(device, scene, width, height, specs);
   shadow::RandomPairs random(bounds(scene), seed);
   Ratios all, free_space, chance;
   double worst_oracle = 0;
   uint64_t oracle_wrong = 0, beyond_snapping = 0, compared_total = 0;
   int bad_oracles = 0, fallbacks = 0;
   fmt::print("seed {}\n", seed);
+  const int only = std::stoi(argument(7, "-1"));
   const int own = static_cast<int>(scene.cameras.size());
   for (int i = 0; i < (pairs > 0 ? pairs : own); ++i) {
     auto [camera, light] = random.next();
@@ -84,7 +88,12 @@ int main(int argc, char** argv) {
       camera.near = near_distance(scene, camera);
       light = scene.lights.front();
     }
+    if (only >= 0 && i != only) continue;
     const auto results = errors.run(camera, light);
+    if (only >= 0)
+      for (size_t technique = 0; technique < results.size(); ++technique)
+        write_png(results[technique].picture,
+                  std::filesystem::path(argument(8, ".")) / fmt::format("{}_{}.png", i, specs[technique]));
     const auto &uniform = results[0].error, &perspective = results[1].error;
     if (perspective.compared < width * height / 50) continue;
     const double oracle = perspective.oracle_fraction.value_or(1);

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/difference.h"
 #include "render/closed_bodies.h"
 #include "shadewright/compare/metrics.h"
 #include "shadewright/render/camera_pass.h"
@@ -38,6 +39,7 @@ class PairErrors {
     /// Of the pixels that differ from the oracle those that do so wherever within a step of the rasterizer's grid of
     /// vertices, 1/256 texel, from the texel's centre the oracle looks.
     uint64_t beyond_snapping = 0;
+    Picture picture;  ///< the truth, what differs from it coloured
   };
   /// One result a technique.
   std::vector<Result> run(const Camera& camera, const Light& light) {
@@ -77,8 +79,8 @@ class PairErrors {
       input.oracle = oracle;
       input.texel_u = rays->texel_u;
       input.texel_v = rays->texel_v;
-      results.push_back(
-          {measure_error(input, tracer_, light), technique->counters(), beyond_snapping(*rays, input, light)});
+      results.push_back({measure_error(input, tracer_, light), technique->counters(),
+                         beyond_snapping(*rays, input, light), picture(input)});
     }
     return results;
   }
@@ -118,6 +120,21 @@ class PairErrors {
         segments[i] = {origins[i], 1.0f, glm::vec3(light.position) - origins[i], 1};
     }
     return tracer_.unoccluded(segments, width_);
+  }
+
+  /// Grey as surfaces are turned to the camera: bright where lit, dark where the light does not reach.
+  static Picture picture(const MetricsInput& input) {
+    Picture picture = difference_picture(input);
+    for (size_t i = 0; i < picture.pixels.size(); ++i) {
+      if (picture.pixels[i].a > 0) continue;
+      const SurfacePoint& point = input.points[i];
+      const glm::vec3 from_eye = point.position - input.eye;
+      const float turned = point.valid() ? std::abs(glm::dot(point.normal, from_eye)) / glm::length(from_eye) : 0;
+      const float light = input.facing[i] == 0 ? 30 : input.reference[i] == 0 ? 60 : 150;
+      const auto grey = static_cast<uint8_t>(point.valid() ? light * (0.7f + turned) : 0);
+      picture.pixels[i] = glm::u8vec4(grey, grey, grey, 255);
+    }
+    return picture;
   }
 
   uint64_t beyond_snapping(const shadow::OracleRays& rays, const MetricsInput& input, const Light& light) const {
