@@ -103,6 +103,7 @@ LightPlane::LightPlane(const LightFrame& frame, const Light& light, std::span<co
     down_x_.push_back(static_cast<float>(b.x));
     down_y_.push_back(static_cast<float>(b.y));
     inverse_area_.push_back(static_cast<float>(1 / area));
+    edges_.push_back(sample.edges);
   };
   for (size_t phase = 0; phase < phases; ++phase) {
     for (size_t i = phase; i < used; i += phases) append(samples[i * samples.size() / used]);
@@ -110,6 +111,8 @@ LightPlane::LightPlane(const LightFrame& frame, const Light& light, std::span<co
   }
   if (x_.empty()) return;
   if (few_ == 0) few_ = x_.size();
+  few_edges_ = std::accumulate(edges_.begin(), edges_.begin() + static_cast<std::ptrdiff_t>(few_), 0.0f);
+  all_edges_ = std::accumulate(edges_.begin(), edges_.end(), 0.0f);
   // In the plane the sides of a uniform map's texels are 1.
   plane_scale_ = static_cast<float>(std::numbers::sqrt2 / 2);
   std::vector<float> sizes;
@@ -137,7 +140,8 @@ double LightPlane::mean_texel(const Rows& rows, size_t count) const {
               on_surface = surface_scale_ / static_cast<float>(determinant);
   const glm::vec3 u(rows.u), v(rows.v), w(rows.w);
   const float *x = x_.data(), *y = y_.data(), *right_x = right_x_.data(), *right_y = right_y_.data(),
-              *down_x = down_x_.data(), *down_y = down_y_.data(), *inverse_area = inverse_area_.data();
+              *down_x = down_x_.data(), *down_y = down_y_.data(), *inverse_area = inverse_area_.data(),
+              *edges = edges_.data();
   std::array<float, enough_samples> sizes;
   for (size_t i = 0; i < count; ++i) {
     const float depth = w.x * x[i] + w.y * y[i] + w.z;
@@ -149,7 +153,7 @@ double LightPlane::mean_texel(const Rows& rows, size_t count) const {
     const float size = (std::sqrt(ux * ux + uy * uy + vx * vx + vy * vy) * in_plane +
                         std::sqrt(a * a + b * b + c * c + d * d) * inverse_area[i] * on_surface) *
                        depth * depth;
-    sizes[i] = size / (1 + size * (1 / large_texel));
+    sizes[i] = edges[i] * size / (1 + size * (1 / large_texel));
   }
   // Sums that do not wait for each other.
   constexpr size_t lanes = 8;
@@ -158,7 +162,7 @@ double LightPlane::mean_texel(const Rows& rows, size_t count) const {
   for (size_t i = 0; i < count; i += lanes)
     for (size_t lane = 0; lane < lanes; ++lane) sums[lane] += sizes[i + lane];
   const float sum = std::accumulate(sums.begin(), sums.end(), 0.0f);
-  return count == 0 ? 0 : static_cast<double>(sum) / static_cast<double>(count);
+  return count == 0 ? 0 : static_cast<double>(sum / (count == few_ ? few_edges_ : all_edges_));
 }
 
 /// A projection of the plane: w grows along a direction, from its nearest to its farthest corner by a ratio; and the

@@ -51,7 +51,7 @@ Perspective::Perspective(const gpu::Device& device, uint32_t resolution, const P
 
 void Perspective::prepare(const Frame& frame, gpu::Recorder& recorder) {
   const Receivers receivers = find_receivers(frame, recorder);
-  if (options_.from_buffers) plain_.prepare(frame, recorder);
+  plain_.prepare(frame, recorder);
   recorder.cpu_stage("perspective", [&] { choose_views(frame, receivers); });
 }
 
@@ -84,7 +84,7 @@ Receivers Perspective::find_receivers(const Frame& frame, gpu::Recorder& recorde
 }
 
 void Perspective::choose_views(const Frame& frame, const Receivers& receivers) {
-  WarpOptions options{options_.warp, options_.least_shift, resolution_, nullptr, {}};
+  WarpOptions options{options_.warp, options_.least_shift, resolution_, options_.from_buffers, nullptr, {}};
   std::vector<Box> casters;
   if (options_.from_buffers) {
     if (frame.scene) casters.assign(frame.scene->instance_bounds().begin(), frame.scene->instance_bounds().end());
@@ -98,11 +98,8 @@ void Perspective::choose_views(const Frame& frame, const Receivers& receivers) {
   std::vector<double> shifts, gains;
   const std::vector<LightFrame> lights = light_frames(frame.light);
   for (uint32_t layer = 0; layer < lights.size(); ++layer) {
-    // Without this frame's surface points the estimate is too rough to tell the two apart.
-    if (options_.from_buffers) {
-      const MapView& plain = plain_.views()[layer];
-      options.plain = plain.drawn ? &plain.light_from_world : nullptr;
-    }
+    const MapView& plain = plain_.views()[layer];
+    options.plain = plain.drawn ? &plain.light_from_world : nullptr;
     const Warp warp = choose_warp(frame.light, lights[layer], CameraMap(frame.camera), receivers, scene, options);
     MapView view;
     view.layer = layer;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/gtc/matrix_access.hpp>
 
@@ -9,6 +10,7 @@
 #include "shadewright/raytrace/tracer.h"
 #include "shadewright/scene/builtin.h"
 #include "shadow/parameterization/perspective/random_pairs_for_test.h"
+#include "shadow/parameterization/perspective/shadowable.h"
 #include "shadow/parameterization/perspective/warp.h"
 
 namespace shadewright::shadow {
@@ -156,10 +158,10 @@ TEST(PerspectiveTest, LightAlongTheViewAxisIsUniform) {
           spread_of_w(perspective_projection(homogeneous_position(light), ground.camera, receivers, shift), receivers),
           1, 1e-2);
     const Warp warp = choose_warp(light, light_frames(light).front(), ground.camera, receivers, receivers.hull.bounds(),
-                                  {WarpKind::psm, false, 512, nullptr, {}});
+                                  {WarpKind::psm, false, 512, true, nullptr, {}});
     EXPECT_LT(warp.gain, 1.05);
     EXPECT_TRUE(choose_warp(light, light_frames(light).front(), ground.camera, receivers, receivers.hull.bounds(),
-                            {WarpKind::light_space, false, 512, nullptr, {}})
+                            {WarpKind::light_space, false, 512, true, nullptr, {}})
                     .fallback)
         << "lispsm";
   }
@@ -186,7 +188,7 @@ TEST(PerspectiveTest, NothingVisibleIsAViewThatIsNotDrawn) {
   const Receivers receivers = see(ground.view, sky, light);
   EXPECT_TRUE(receivers.hull.empty());
   EXPECT_FALSE(choose_warp(light, light_frames(light).front(), ground.camera, receivers, {},
-                           {WarpKind::best, false, 512, nullptr, {}})
+                           {WarpKind::best, false, 512, true, nullptr, {}})
                    .drawn);
 }
 
@@ -254,6 +256,27 @@ void check_view(const Warp& warp, const Light& light, const LightFrame& frame, c
   }
 }
 
+TEST(PerspectiveTest, EdgesAreExpectedAroundSmallCasters) {
+  Light light;
+  light.direction = glm::normalize(glm::dvec3(0.1, -1, 0.2));
+  Receivers receivers = Ground().seen(light);
+  const Box roof{{-200, 20, -200}, {200, 21, 200}}, body{{-3, 0, -13}, {3, 0.1, -7}};
+  EXPECT_FALSE(keep_shadowable(receivers, light, light_frames(light).front(), std::array{roof, body}));
+  float least_near = 1e30f, most_far = 0;
+  int near = 0;
+  for (const ReceiverSample& sample : receivers.samples) {
+    const double distance = glm::distance(sample.world, glm::dvec3(0, 0, -10));
+    if (distance < 2) {
+      least_near = std::min(least_near, sample.edges);
+      ++near;
+    }
+    if (distance > 9) most_far = std::max(most_far, sample.edges);
+  }
+  EXPECT_GT(near, 0);
+  EXPECT_GT(most_far, 0);
+  EXPECT_GT(least_near, 2 * most_far);
+}
+
 TEST(PerspectiveTest, AThousandRandomPairsHoldEveryReceiverAndCaster) {
   constexpr unsigned seed = 2002;
   SCOPED_TRACE("seed " + std::to_string(seed));
@@ -268,10 +291,11 @@ TEST(PerspectiveTest, AThousandRandomPairsHoldEveryReceiverAndCaster) {
     for (const glm::vec3& position : scene.meshes[instance.mesh].positions)
       box.extend(glm::dvec3(instance.world_from_mesh * glm::dvec4(position, 1)));
   }
-  for (const WarpOptions& options :
-       {WarpOptions{WarpKind::best, false, 512, nullptr, {}}, WarpOptions{WarpKind::best, false, 512, nullptr, casters},
-        WarpOptions{WarpKind::psm, false, 512, nullptr, {}}, WarpOptions{WarpKind::psm, true, 512, nullptr, {}},
-        WarpOptions{WarpKind::light_space, false, 512, nullptr, {}}}) {
+  for (const WarpOptions& options : {WarpOptions{WarpKind::best, false, 512, true, nullptr, {}},
+                                     WarpOptions{WarpKind::best, false, 512, true, nullptr, casters},
+                                     WarpOptions{WarpKind::psm, false, 512, true, nullptr, {}},
+                                     WarpOptions{WarpKind::psm, true, 512, true, nullptr, {}},
+                                     WarpOptions{WarpKind::light_space, false, 512, true, nullptr, {}}}) {
     Tally tally;
     const bool all = options.kind == WarpKind::best && options.casters.empty();
     for (int i = 0; i < (all ? 1000 : 200); ++i) {

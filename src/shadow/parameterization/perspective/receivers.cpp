@@ -98,7 +98,7 @@ glm::dmat4 CameraMap::post_perspective(double near, double far, double shift) co
 }
 
 TileGrid tile_grid(uint32_t width, uint32_t height) {
-  const uint32_t side = (std::max({8u, (width + 79) / 80, (height + 47) / 48}) + 1) / 2 * 2;
+  const uint32_t side = (std::max((width + 79) / 80, (height + 47) / 48) + 1) / 2 * 2;
   return {side, (width + side - 1) / side, (height + side - 1) / side};
 }
 
@@ -127,8 +127,10 @@ Receivers visible_receivers(const render::CameraView& camera, std::span<const sh
                             const TileGrid& grid) {
   Receivers receivers;
   double near = std::numeric_limits<double>::infinity(), far = 0, light = near;
+  size_t visible = 0;
   for (const shared::VisibleTile& tile : tiles) {
     if (tile.nearest > tile.farthest) continue;
+    ++visible;
     near = std::min(near, static_cast<double>(tile.nearest));
     far = std::max(far, static_cast<double>(tile.farthest));
     light = std::min(light, static_cast<double>(tile.light_distance));
@@ -140,7 +142,7 @@ Receivers visible_receivers(const render::CameraView& camera, std::span<const sh
 
   receivers.boxes.reserve(tiles.size());
   const PixelRays rays(camera);
-  const uint32_t sample_stride = grid.columns * grid.rows > 1000 ? 2 : 1;  // some hundred samples suffice
+  const uint32_t sample_stride = visible > 1200 ? 2 : 1;  // some hundred samples suffice
   const glm::dvec2 size(camera.width, camera.height);
   for (uint32_t row = 0; row < grid.rows; ++row)
     for (uint32_t column = 0; column < grid.columns; ++column) {

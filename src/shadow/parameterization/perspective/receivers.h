@@ -25,6 +25,7 @@ struct CameraMap {
 /// A visible surface point.
 struct ReceiverSample {
   glm::dvec3 world, normal;
+  float edges = 1;  ///< how much of the shadows' edges is expected around it, in any unit
 };
 
 /// Where receivers are: bounds in post-perspective space and in the world.

@@ -13,8 +13,12 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 /// What float surface points are off by, as a share of their coordinates and distance, with room.
 constexpr double position_slack = 4e-6;
-/// The light's window is divided into so many cells an axis.
-constexpr int cells = 32;
+/// The light's window is divided into so many cells an axis: half as many where there are many casters, each of which
+/// takes time in each cell.
+constexpr int most_cells = 64;
+constexpr size_t many_casters = 500;
+/// What a sample counts that has no edges around it, as a share of the mean: bounds tell of edges roughly.
+constexpr float least_edges = 0.1f;
 /// Looking at more casters costs more than the texels are worth.
 constexpr size_t most_casters = 8192;
 
@@ -103,10 +107,28 @@ Rectangle seen(const LightFrame& frame, const Box& box) {
   return result;
 }
 
+/// A point as the light sees it.
+glm::dvec2 seen(const LightFrame& frame, const glm::dvec3& point) {
+  const glm::dvec3 p(frame.view_from_world * glm::dvec4(point, 1));
+  if (!frame.perspective) return glm::dvec2(p);
+  return glm::clamp(glm::dvec2(p) / std::max(-p.z, 1e-30), -glm::dvec2(frame.max_tangent),
+                    glm::dvec2(frame.max_tangent));
+}
+
+/// In units of their mean.
+void normalize_edges(std::vector<ReceiverSample>& samples) {
+  float sum = 0;
+  for (const ReceiverSample& sample : samples) sum += sample.edges;
+  const float per_mean = static_cast<float>(samples.size()) / sum;
+  const bool known = per_mean > 0 && std::isfinite(per_mean);
+  for (ReceiverSample& sample : samples) sample.edges = known ? sample.edges * per_mean + least_edges : 1;
+}
+
 }  // namespace
 
 bool keep_shadowable(Receivers& receivers, const Light& light, const LightFrame& frame, std::span<const Box> casters) {
   if (casters.size() > most_casters || receivers.boxes.empty()) return false;
+  const int cells = casters.size() > many_casters ? most_cells / 2 : most_cells;
   Bounds all;
   Rectangle window;
   std::vector<Rectangle> images;
@@ -121,24 +143,23 @@ bool keep_shadowable(Receivers& receivers, const Light& light, const LightFrame&
   const glm::dvec3 farthest = glm::max(glm::abs(all_box.min), glm::abs(all_box.max));
   const Sweep sweep(light, position_slack * (farthest.x + farthest.y + farthest.z + receivers.farthest));
   const glm::dvec2 extent = window.high - window.low;
-  const auto per_unit = [](double size) { return size > 0 && cells / size < infinity ? cells / size : 0.0; };
+  const auto per_unit = [&](double size) { return size > 0 && cells / size < infinity ? cells / size : 0.0; };
   const glm::dvec2 scale(per_unit(extent.x), per_unit(extent.y));
+  const auto cell_of = [&](const glm::dvec2& p) {
+    return glm::ivec2(glm::clamp(scale * (p - window.low), glm::dvec2(0), glm::dvec2(cells - 1)));
+  };
   struct CellRange {
     glm::ivec2 first, last;
   };
-  const auto cells_of = [&](const Rectangle& image) {
-    const glm::dvec2 end(cells - 1);
-    return CellRange{glm::ivec2(glm::clamp(scale * (image.low - window.low), glm::dvec2(0), end)),
-                     glm::ivec2(glm::clamp(scale * (image.high - window.low), glm::dvec2(0), end))};
-  };
+  const auto cells_of = [&](const Rectangle& image) { return CellRange{cell_of(image.low), cell_of(image.high)}; };
   /// True if `use` says so for the place in the grid of one of the cells; it is asked no more then.
-  const auto any_cell = [](const CellRange& range, const auto& use) {
+  const auto any_cell = [&](const CellRange& range, const auto& use) {
     for (int y = range.first.y; y <= range.last.y; ++y)
       for (int x = range.first.x; x <= range.last.x; ++x)
         if (use(static_cast<size_t>(y * cells + x))) return true;
     return false;
   };
-  std::vector<Bounds> bounds(cells * cells);
+  std::vector<Bounds> bounds(static_cast<size_t>(cells * cells));
   std::vector<CellRange> ranges;
   ranges.reserve(images.size());
   for (size_t i = 0; i < images.size(); ++i) {
@@ -150,13 +171,19 @@ bool keep_shadowable(Receivers& receivers, const Light& light, const LightFrame&
     });
   }
   // Cells that hold receivers and are not known to be covered.
-  std::array<bool, cells * cells> open, covered{};
+  std::array<bool, most_cells * most_cells> open, covered{};
+  // How much of casters' silhouettes is expected in each: about as much as the bounds' have sides, anywhere within.
+  std::array<float, most_cells * most_cells> edges{};
+  const glm::dvec2 cell_size = extent / static_cast<double>(cells);
   for (size_t cell = 0; cell < bounds.size(); ++cell) open[cell] = !bounds[cell].box().empty();
   for (const Box& caster : casters) {
     if (!sweep.meets(caster, all_box)) continue;
     const Rectangle image = seen(frame, caster);
     if (glm::any(glm::greaterThan(image.low, window.high)) || glm::any(glm::lessThan(image.high, window.low))) continue;
+    const glm::dvec2 size = image.high - image.low, spread = size + cell_size;
+    const auto density = static_cast<float>((size.x + size.y) / (spread.x * spread.y));
     any_cell(cells_of(image), [&](size_t cell) {
+      edges[cell] += density;
       if (open[cell] && sweep.meets(caster, bounds[cell].box())) {
         open[cell] = false;
         covered[cell] = true;
@@ -170,10 +197,16 @@ bool keep_shadowable(Receivers& receivers, const Light& light, const LightFrame&
     if (any_cell(ranges[i], is_covered)) receivers.boxes[kept++] = receivers.boxes[i];
   const bool left_out = kept < images.size();
   receivers.boxes.resize(kept);
-  if (left_out)
-    std::erase_if(receivers.samples, [&](const ReceiverSample& sample) {
-      return !any_cell(cells_of(seen(frame, {sample.world, sample.world})), is_covered);
-    });
+  size_t kept_samples = 0;
+  for (const ReceiverSample& sample : receivers.samples) {
+    const glm::ivec2 at = cell_of(seen(frame, sample.world));
+    const auto cell = static_cast<size_t>(at.y * cells + at.x);
+    if (left_out && !covered[cell]) continue;
+    // Of the edges of bodies as close as this some hide others.
+    receivers.samples[kept_samples++] = {sample.world, sample.normal, std::sqrt(edges[cell])};
+  }
+  receivers.samples.resize(kept_samples);
+  normalize_edges(receivers.samples);
   return left_out;
 }
 

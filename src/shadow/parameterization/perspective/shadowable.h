@@ -7,9 +7,9 @@
 
 namespace shadewright::shadow {
 
-/// Leaves only boxes and samples that casters inside `casters` (world bounds) may shadow; the hull stays as it is. True
-/// if boxes were left out. Never leaves out a receiver in a shadow, but for one of a caster that is as near to it as
-/// floats tell.
+/// Leaves only boxes and samples that casters inside `casters` (world bounds) may shadow, and tells samples how much of
+/// the casters' edges is expected around them; the hull stays as it is. True if boxes were left out. Never leaves out a
+/// receiver in a shadow, but for one of a caster that is as near to it as floats tell.
 bool keep_shadowable(Receivers& receivers, const Light& light, const LightFrame& frame, std::span<const Box> casters);
 
 }  // namespace shadewright::shadow

@@ -27,8 +27,6 @@ constexpr double depth_margin = 0.01;
 /// clamped there, or the casters nearer to the light are lost to it. A share of w, it is as far everywhere as the scale
 /// there asks.
 constexpr double depth_before = 0.5;
-/// What a perspective gains must show through the estimate's noise.
-constexpr double least_gain = 1.1;
 
 double along(const glm::dvec4& row, const glm::dvec3& point) {
   return glm::dot(row, glm::dvec4(point, 1.0));
@@ -307,8 +305,9 @@ Warp choose_warp(const Light& light, const LightFrame& frame, const CameraMap& c
   warp.drawn = matrix.has_value();
   if (!warp.drawn) return warp;
   warp.light_from_world = *matrix;
-  // Never below the map that a user would have instead.
-  if (options.plain && plane.mean_texel(*options.plain) < (warp.fallback ? 1.0 : least_gain) * texel(matrix)) {
+  // Never below the map that a user would have instead. Without surface points the estimate is too rough to tell it
+  // from a warped one; two uniform ones differ the same way everywhere.
+  if (options.plain && (options.seen || warp.fallback) && plane.mean_texel(*options.plain) < texel(matrix)) {
     warp = {};
     warp.light_from_world = *options.plain;
     warp.drawn = warp.fallback = true;

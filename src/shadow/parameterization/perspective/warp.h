@@ -48,6 +48,7 @@ struct WarpOptions {
   WarpKind kind = WarpKind::best;
   bool least_shift = false;           ///< of PSM: as little as H allows; otherwise the best
   uint32_t resolution = 0;            ///< texels per axis
+  bool seen = true;                   ///< receivers' samples are surface points, not corners of what bounds them
   const glm::dmat4* plain = nullptr;  ///< what uniform,fit=view draws; null: it draws nothing, or is not known
   std::span<const Box> casters;       ///< world bounds that hold all casters; none: not known
 };
