@@ -16,7 +16,7 @@ constexpr double position_slack = 4e-6;
 /// The light's window is divided into so many cells an axis: half as many where there are many casters, each of which
 /// takes time in each cell.
 constexpr int most_cells = 64;
-constexpr size_t many_casters = 500;
+constexpr size_t many_casters = 128;
 /// What a sample counts that has no edges around it, as a share of the mean: bounds tell of edges roughly.
 constexpr float least_edges = 0.1f;
 /// Looking at more casters costs more than the texels are worth.
