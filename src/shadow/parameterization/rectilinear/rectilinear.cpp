@@ -241,6 +241,11 @@ std::vector<gpu::Binding> Rectilinear::lookup_bindings(uint32_t) const {
   return {Binding::uniform(warp_, sizeof(shared::WarpHeader)), Binding::storage(warp_), Binding::storage(flats_)};
 }
 
+uint32_t Rectilinear::lookup_constant() const {
+  const auto segments = static_cast<uint32_t>(spec_.number("segments"));
+  return WarpedCasterDraws::bends(spec_) || segments > shared::few_segments ? 0 : segments;
+}
+
 Counters Rectilinear::counters() const {
   const shared::WarpFigures& figures = figures_.mapped<shared::WarpFigures>()[0];
   const auto finest = [&](int axis) { return std::ceil(resolution_ * static_cast<double>(figures.finest[axis])); };

@@ -37,6 +37,7 @@ class Rectilinear final : public Parameterization {
   std::span<const MapView> views() const override { return {&view_, 1}; }
   std::vector<gpu::BindingKind> lookup_kinds() const override;
   std::vector<gpu::Binding> lookup_bindings(uint32_t slot) const override;
+  uint32_t lookup_constant() const override;
   Counters counters() const override;
   std::vector<std::string> debug_names() const override { return {"importance", "warps", "grid"}; }
   /// Figure 5 of the paper: importance by rows and columns (and in two dimensions, where there is such a map), how far

@@ -78,6 +78,7 @@ struct WarpSegment {
   float half_texel;  // the most that lies between the centre of a texel here and its edge, flat
 };
 
+const uint few_segments = 8;
 /// What the look-up reads as a uniform buffer, from the same memory as the rest.
 struct WarpHeader {
   vec3 flat_from_map[2];  // rows
@@ -86,7 +87,9 @@ struct WarpHeader {
   uint resolution;
   uint segment_counts[2];
   float longest_edge;  // of tessellated casters, of the map's width
-  uint cut;  // casters are cut where the warp bends, and it does so at edges of texels only; 0: they are bent
+  uint cut;            // casters are cut where the warp bends, and it does so at edges of texels only; 0: they are bent
+  // Of the first segments along u, along v: flat_start, start, slope. Beyond the last one flat_start is out of reach.
+  vec3 few[2 * few_segments];
 };
 
 /// A warp, followed by segments along u, segments along v (`cells` places each).

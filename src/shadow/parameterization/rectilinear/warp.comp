@@ -218,6 +218,10 @@ void main() {
   float steepest = 0.0;
   for (uint i = 0; i < count; ++i) steepest = max(steepest, segments[axis * n + i].slope);
   warp.header.segment_counts[axis] = count;
+  for (uint i = 0; i < few_segments; ++i) {
+    WarpSegment s = segments[axis * n + min(i, count - 1)];
+    warp.header.few[axis * few_segments + i] = vec3(i < count ? s.flat_start : 1e30, s.start, s.slope);
+  }
   figures.finest[axis] = steepest / (range.y - range.x);
 
   vec3 row = axis == 0 ? o.u : o.v;
