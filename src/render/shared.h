@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 namespace shadewright::shared {
-using glm::mat3;
 using glm::mat2;
+using glm::mat3;
 using glm::mat4;
 using glm::mat4x3;
 using glm::uvec2;
