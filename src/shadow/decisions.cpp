@@ -3,16 +3,9 @@
 #include <algorithm>
 #include <array>
 
-#include "shadow/lookup_shaders.h"
-#include "shadow/receiver_words.h"
 #include "shadow/storage/subpixel/shared.h"
 
 namespace shadewright::shadow {
-
-std::vector<uint32_t> decisions(const gpu::Device& device, std::string_view maps, const ReceiverLookup& lookup,
-                                bool six_faces) {
-  return receiver_words(device, decisions_shader(maps), lookup, six_faces);
-}
 
 Counters decision_counters(std::span<const uint32_t> decisions, std::span<const std::string> names) {
   Counters counters;

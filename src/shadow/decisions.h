@@ -3,20 +3,17 @@
 // of its time: these ask every receiver once more.
 #pragma once
 
-#include <string_view>
-#include <vector>
+#include <cstdint>
+#include <span>
+#include <string>
 
 #include "shadewright/shadow/technique.h"
-#include "shadow/parameterization/parameterization.h"
 
 namespace shadewright::shadow {
 
-/// A word a receiver: how it was decided, from 1 on, plus shared::decided_lit where it is lit; 0 where there is none.
-/// Waits. `maps` is "parameterization/storage".
-std::vector<uint32_t> decisions(const gpu::Device& device, std::string_view maps, const ReceiverLookup& lookup,
-                                bool six_faces);
-
-/// How many receivers there are of each decision; `names` of these from 1 on.
+/// How many receivers there are of each decision; `names` of these from 1 on. `decisions` is a word a receiver, what
+/// decisions_shader answers: how it was decided, from 1 on, plus shared::decided_lit where it is lit; 0 where there is
+/// none.
 Counters decision_counters(std::span<const uint32_t> decisions, std::span<const std::string> names);
 
 /// Each receiver's colour: grey where its own texel decided, green where its neighbours, red where recovery did; bright

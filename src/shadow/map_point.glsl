@@ -3,6 +3,7 @@
 #define SHADEWRIGHT_SHADOW_MAP_POINT_GLSL
 
 #include "geometry/position_error.h"
+#include "shadow/loads_first.glsl"
 #include "shadow/shared.h"
 
 #ifndef SHADEWRIGHT_LOOKUP_SET
@@ -13,9 +14,7 @@
 // Where it is, other lights index their one view by a constant too: that made the look-up a fifth faster on a CPU device.
 layout(constant_id = 0) const uint known_six_faces = 2;
 
-// Before its first branch a CPU device reads a uniform once for a subgroup, behind one lane by lane, which took half of a look-up's
-// time. A shader with SHADEWRIGHT_LOADS_FIRST copies what its modules read by load_...() as the first thing it does.
-#ifdef SHADEWRIGHT_LOADS_FIRST
+#ifdef SHADEWRIGHT_LOADS_FIRST  // see loads_first.glsl
 layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 0, scalar) uniform Lookup {
   LookupData lookup_uniform;
   MapViewData map_views[max_map_views];

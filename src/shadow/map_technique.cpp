@@ -10,6 +10,7 @@
 #include "shadow/lookup_data.h"
 #include "shadow/lookup_shaders.h"
 #include "shadow/parts.h"
+#include "shadow/receiver_words.h"
 #include "shadow/shared.h"
 
 namespace shadewright::shadow {
@@ -200,7 +201,8 @@ std::optional<OracleRays> MapTechnique::oracle_rays(const Frame& frame) {
 }
 
 std::vector<uint32_t> MapTechnique::last_decisions() const {
-  return decisions(device_, spec_.parameterization + "/" + spec_.storage, last_, *built_for_ == LightKind::point);
+  return receiver_words(device_, decisions_shader(spec_.parameterization + "/" + spec_.storage), last_,
+                        *built_for_ == LightKind::point);
 }
 
 Counters MapTechnique::counters() const {

@@ -1,17 +1,9 @@
 // The receivers of a look-up: the camera pass's surface points that face the light. Set 0 of a look-up begins with these.
 #include "render/camera.glsl"
 #include "render/octahedral.glsl"
+#include "shadow/loads_first.glsl"
 
-#ifdef SHADEWRIGHT_LOADS_FIRST  // see map_point.glsl
-layout(set = 0, binding = 0, scalar) uniform Camera { CameraData camera_uniform; };
-CameraData camera;
-void load_receivers() {
-  load_lookup();
-  camera = camera_uniform;
-}
-#else
-layout(set = 0, binding = 0, scalar) uniform Camera { CameraData camera; };
-#endif
+layout(set = 0, binding = 0, scalar) SHADEWRIGHT_UNIFORM(CameraData, camera, load_camera)
 layout(set = 0, binding = 1) uniform sampler2D camera_depth;
 layout(set = 0, binding = 2) uniform sampler2D camera_normal;
 

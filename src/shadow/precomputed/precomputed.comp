@@ -14,7 +14,8 @@ layout(set = 0, binding = 4) uniform sampler2D moving_visibility;  // of casters
 const bool with_moving = (variant & 0x1000u) != 0u;
 
 void main() {
-  load_receivers();
+  load_lookup();
+  load_camera();
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(pixel, ivec2(camera.size)))) return;
   Receiver r = receiver_at(pixel);

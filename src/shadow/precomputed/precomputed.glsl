@@ -29,7 +29,7 @@ const bool far_mraa = (variant & 0x100u) != 0u, far_voaa = (variant & 0x200u) !=
 const bool fixed_order = (variant & 0x400u) != 0u, one_window = (variant & 0x800u) != 0u;
 const bool leaf_by_leaf = (variant & 0x2000u) != 0u;
 
-#ifdef SHADEWRIGHT_LOADS_FIRST  // see map_point.glsl
+#ifdef SHADEWRIGHT_LOADS_FIRST  // see loads_first.glsl
 layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 0, scalar) uniform Precomputed {
   LookupData lookup_uniform;
   PrecomputedData precomputed;

@@ -8,14 +8,7 @@
 
 #define MAP_CONTIGUOUS 1  // neighbours of a texel are its neighbours in the layer
 
-#ifdef SHADEWRIGHT_LOADS_FIRST  // see map_point.glsl
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 1, scalar) uniform Cascades { CascadeData cascades_uniform; };
-CascadeData cascades;
-#define MAP_LOADS 1
-void load_map() { cascades = cascades_uniform; }
-#else
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 1, scalar) uniform Cascades { CascadeData cascades; };
-#endif
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 1, scalar) SHADEWRIGHT_UNIFORM(CascadeData, cascades, load_map)
 
 // Where it is known when the look-up is compiled, how many there are.
 layout(constant_id = 3) const uint known_cascades = 0;
@@ -32,7 +25,7 @@ void take_cascade(uint i, vec4 q, inout uint cascade, inout CascadeWindow window
 }
 
 // The cascade that takes what lies at `q`, and its window; `max_cascades` where none does. All are compared, without a branch (see
-// SHADEWRIGHT_LOADS_FIRST) and without a loop, which Mesa 22.3 would not unroll.
+// loads_first.glsl) and without a loop, which Mesa 22.3 would not unroll.
 uint cascade_of(vec4 q, out CascadeWindow window) {
   uint cascade = max_cascades;
   window = cascades.windows[0];

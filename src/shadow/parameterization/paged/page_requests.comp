@@ -17,7 +17,8 @@ shared uint group_requests;
 #include "shadow/parameterization/paged/page_request.glsl"
 
 void main() {
-  load_receivers();
+  load_lookup();
+  load_camera();
   load_map();
   if (gl_LocalInvocationIndex == 0) group_requests = 0;
   barrier();

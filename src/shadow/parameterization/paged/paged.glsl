@@ -8,14 +8,7 @@
 #define MAP_LEVELS 1  // map_level and map_point_at exist
 #define MAP_PAIRS 1   // casters are drawn as (triangle, unit) pairs
 
-#ifdef SHADEWRIGHT_LOADS_FIRST  // see map_point.glsl
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 1, scalar) uniform Paged { PagedConstants paged_uniform; };
-PagedConstants paged;
-#define MAP_LOADS 1
-void load_map() { paged = paged_uniform; }
-#else
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 1, scalar) uniform Paged { PagedConstants paged; };
-#endif
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 1, scalar) SHADEWRIGHT_UNIFORM(PagedConstants, paged, load_map)
 layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 2, scalar) readonly buffer State { PageState page_state; };
 layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 3, scalar) readonly buffer Table { uint page_table[]; };
 

@@ -33,7 +33,8 @@ void sample_pixel(ivec2 pixel, Orientation o, bool add) {
 void main() {
   if (gl_LocalInvocationIndex < 2) low_inverted[gl_LocalInvocationIndex] = high[gl_LocalInvocationIndex] = 0;
   barrier();
-  load_receivers();
+  load_lookup();
+  load_camera();
   ivec2 first = ivec2(gl_GlobalInvocationID.xy) * tile, size = ivec2(camera.size);
   Orientation o = chosen_orientation();
   vec2 depths = vec2(1.0 / 0.0, -1.0 / 0.0);  // least, greatest

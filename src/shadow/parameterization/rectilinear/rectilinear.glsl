@@ -7,14 +7,7 @@
 #define MAP_WARPED 1  // straight edges bend: see map_flat
 #define MAP_CUT 1     // where the warp bends, casters are cut: see cut_vertex.glsl
 
-#ifdef SHADEWRIGHT_LOADS_FIRST  // see map_point.glsl
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 1, scalar) uniform Warp { WarpHeader warp_uniform; };
-WarpHeader warp;
-#define MAP_LOADS 1
-void load_map() { warp = warp_uniform; }
-#else
-layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 1, scalar) uniform Warp { WarpHeader warp; };
-#endif
+layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 1, scalar) SHADEWRIGHT_UNIFORM(WarpHeader, warp, load_map)
 layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 2, scalar) readonly buffer WarpSegments { WarpData warp_data; WarpSegment warp_segments[]; };
 // Flat coordinates of texels along u, then v: lower edge, centre, lower edge of the next, ...
 layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 3, scalar) readonly buffer Flats { float warp_flats[]; };

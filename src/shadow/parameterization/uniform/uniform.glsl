@@ -5,6 +5,8 @@
 
 #define MAP_CONTIGUOUS 1  // neighbours of a texel are its neighbours in the layer
 
+void load_map() {}  // views are all it reads
+
 MapPoint map_point(vec3 world, vec4 plane) {
   uint layer = six_faces() ? cube_face(world - lookup.light_position) : 0;
   return map_project(map_view(layer), layer, world, plane, 1.0 / lookup.map_size);
