@@ -101,11 +101,19 @@ void Cascaded::prepare(const Frame& frame, gpu::Recorder& recorder) {
 
   views_.clear();
   borders_.assign(cascades_, glm::vec2(0));
+  std::optional<glm::dvec4> depth_row;
   for (uint32_t i = 0; i < cascades_; ++i) {
     if (stable_ && !receivers[i].empty()) receivers[i] = constant_window(frame, lights[i], slices_[i], receivers[i]);
-    views_.push_back(make_view(lights[i], receivers[i], all, borders_[i]));
-    views_.back().layer = i;
-    if (views_.back().drawn) views_.back().casters = caster_planes(views_.back(), frame.camera, frame.light, true);
+    MapView view = make_view(lights[i], receivers[i], all, borders_[i]);
+    view.layer = i;
+    if (view.drawn) {
+      // Receivers that are all equally deep are given a range by their window's size: the look-up needs the same for
+      // all.
+      if (!depth_row) depth_row = glm::row(view.light_from_world, 2);
+      view.light_from_world = glm::row(view.light_from_world, 2, *depth_row);
+      view.casters = caster_planes(view, frame.camera, frame.light, true);
+    }
+    views_.push_back(std::move(view));
   }
   write_constants(light, constants_[frame.index % constants_.size()].mapped<shared::CascadeData>()[0]);
 }

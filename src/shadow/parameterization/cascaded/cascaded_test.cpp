@@ -1,6 +1,7 @@
 #include "shadow/parameterization/cascaded/cascaded.h"
 
 #include <algorithm>
+#include <glm/gtc/matrix_access.hpp>
 #include <random>
 
 #include "gpu/device_for_test.h"
@@ -111,6 +112,21 @@ TEST_F(CascadedTest, EveryReceiverHasACascade) {
       }
     }
     EXPECT_GT(tested, 1000);
+  }
+}
+
+/// A look-up projects a receiver once for all maps, also where it all lies in one plane across the light.
+TEST_F(CascadedTest, AllMapsShareOneDepth) {
+  for (const double top : {-1.0, 6.0}) {
+    Frame frame = frame_of(view_at({3, 5, 2}, {20, -1, 25}), light_of(LightKind::directional, {0, -1, 0}));
+    frame.draw_bounds.max.y = top;
+    Cascaded cascaded(device(), parse_spec("cascaded@64"), 1);
+    gpu::Recorder recorder(device());
+    cascaded.prepare(frame, recorder);
+    const auto views = cascaded.views();
+    ASSERT_TRUE(std::ranges::all_of(views, [](const MapView& view) { return view.drawn; }));
+    for (const MapView& view : views)
+      EXPECT_EQ(glm::row(view.light_from_world, 2), glm::row(views.front().light_from_world, 2)) << "up to " << top;
   }
 }
 
