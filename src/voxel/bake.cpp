@@ -108,8 +108,8 @@ BakeResult run(const Scene& scene, const Light& light, const BakeOptions& option
       progress("triangles", 1.0);
     }
     DagBuilder builder(grid.log2_size, budget);
-    const TileRules rules{options.max_filter / 2, filter_margin(grid, options.max_filter), int32_t(grid.depth()),
-                          options.static_receivers};
+    const TileRules rules{int32_t(grid.size()), options.max_filter / 2, filter_margin(grid, options.max_filter),
+                          int32_t(grid.depth()), options.static_receivers};
     const Value root = build_from_triangles(builder, snapped, rules, options.resolving, budget, counts, progress);
     stages.finish("voxels");
     progress("layout", 0.0);

@@ -64,7 +64,7 @@ bool silhouette_crosses(const SnappedTriangle& t, const CenterBox& box) {
 }
 
 std::optional<FlatCut> QuadBounds::decide(const Quad& quad, std::span<const QuadTriangle* const> triangles) {
-  const CenterBox box(quad, rules_.reach);
+  const CenterBox box(quad, rules_.reach, rules_.size);
   low_.clear(), high_.clear();
   for (const QuadTriangle* triangle : triangles) {
     const auto [low, high] = height_bounds(*triangle, box);

@@ -1,6 +1,7 @@
 // A square of texels, the triangles over it, and what bounds can say of it without looking at single texels.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -25,15 +26,16 @@ struct Quad {
   }
 };
 
-/// The sub-voxel box of the texel centres of a quad widened by `reach` texels, closed.
+/// The sub-voxel box of the texel centres of a quad widened by `reach` texels, closed. It ends with the map of `size`
+/// texels: casters wholly outside the map were dropped, and with them silhouettes that lie there.
 struct CenterBox {
   int64_t x0, y0, x1, y1;
 
-  CenterBox(const Quad& quad, uint32_t reach)
-      : x0(texel_center(quad.x - int64_t(reach))),
-        y0(texel_center(quad.y - int64_t(reach))),
-        x1(texel_center(quad.x + int64_t(quad.side()) - 1 + reach)),
-        y1(texel_center(quad.y + int64_t(quad.side()) - 1 + reach)) {}
+  CenterBox(const Quad& quad, uint32_t reach, int32_t size)
+      : x0(texel_center(std::max(quad.x - int64_t(reach), int64_t(0)))),
+        y0(texel_center(std::max(quad.y - int64_t(reach), int64_t(0)))),
+        x1(texel_center(std::min(quad.x + int64_t(quad.side()) + reach, int64_t(size)) - 1)),
+        y1(texel_center(std::min(quad.y + int64_t(quad.side()) + reach, int64_t(size)) - 1)) {}
 };
 
 /// Whether a triangle, as a closed set, touches the box (exact).

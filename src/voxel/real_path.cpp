@@ -23,7 +23,7 @@ struct Bins {
   std::vector<uint32_t> items;
 };
 
-Bins bin_triangles(const SnappedCasters& casters, uint32_t log2_size, uint32_t reach, MemoryBudget& budget) {
+Bins bin_triangles(const SnappedCasters& casters, uint32_t log2_size, const TileRules& rules, MemoryBudget& budget) {
   Bins bins;
   bins.log2_count = std::min(6u, log2_size - kLog2Tile);
   const uint32_t count = 1u << bins.log2_count, height = log2_size - bins.log2_count;
@@ -39,11 +39,11 @@ Bins bin_triangles(const SnappedCasters& casters, uint32_t log2_size, uint32_t r
       const auto bin = [&](int32_t sub_voxel, int32_t widen) {
         return std::clamp(((sub_voxel >> 8) + widen) >> height, 0, int32_t(count) - 1);
       };
-      const int32_t widen = int32_t(reach) + 1;
+      const int32_t widen = int32_t(rules.reach) + 1;
       for (int32_t y = bin(low.y, -widen); y <= bin(high.y, widen); ++y)
         for (int32_t x = bin(low.x, -widen); x <= bin(high.x, widen); ++x)
           if (touches(triangle, glm::ivec2(low), glm::ivec2(high),
-                      CenterBox({height, x << height, y << height}, reach)))
+                      CenterBox({height, x << height, y << height}, rules.reach, rules.size)))
             use((uint32_t(y) << bins.log2_count | uint32_t(x)) * chunks + chunk, uint32_t(t));
     }
   };
@@ -102,7 +102,7 @@ class QuadRecursion {
     std::array<Column, 4> parts;
     for (uint32_t i = 0; i < 4; ++i) {
       const Quad part = quad.quarter(i);
-      const CenterBox box(part, rules_.reach);
+      const CenterBox box(part, rules_.reach, rules_.size);
       for (size_t t = begin; t < end; ++t) {
         const QuadTriangle* triangle = stack_[t];
         if (touches(triangle->triangle, triangle->low, triangle->high, box)) stack_.push_back(triangle);
@@ -130,7 +130,7 @@ Value build_from_triangles(DagBuilder& builder, const SnappedCasters& casters, c
                            Resolving resolving, MemoryBudget& budget, RealPathCounts& counts,
                            const Progress& progress) {
   const uint32_t log2_size = builder.log2_size();
-  const Bins bins = bin_triangles(casters, log2_size, rules.reach, budget);
+  const Bins bins = bin_triangles(casters, log2_size, rules, budget);
   const uint32_t height = log2_size - bins.log2_count;
   uint32_t side = 1u << bins.log2_count;
   std::vector<Column> columns(size_t(side) * side);

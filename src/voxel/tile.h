@@ -18,6 +18,7 @@ namespace shadewright::voxel {
 inline constexpr uint32_t kLog2Tile = 5, kTileSide = 1u << kLog2Tile;
 
 struct TileRules {
+  int32_t size = 0;    ///< texels of the map per axis
   uint32_t reach = 0;  ///< max_filter / 2
   int32_t margin = 0;  ///< `filter_margin`
   int32_t depth = 0;   ///< voxels in z
