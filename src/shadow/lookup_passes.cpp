@@ -13,7 +13,7 @@ namespace {
 /// FILTER_PASSES of the filter's GLSL.
 uint32_t pass_count(const Spec& spec) {
   if (!storage_traits(spec.storage).in_passes) return 1;
-  return spec.filter == "hard" ? 3 : 2;
+  return spec.filter == "hard" ? 4 : 2;
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ struct DeferredReceivers {
   uvec3 groups;  // of that pass
   uint count;
 };
-const uint deferred_group = 64, max_lookup_passes = 3;
+const uint deferred_group = 64, max_lookup_passes = 4;
 
 /// Of caster_sides.comp: four bits a triangle, three of silhouette edges below this one.
 const uint side_drawn = 8, sides_per_word = 8;

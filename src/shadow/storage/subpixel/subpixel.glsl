@@ -71,20 +71,32 @@ bool subpixel_behind_tangents(MapPoint p, vec2 centre) {
 // The centre of the texel in which the receiver lies, from the receiver.
 vec2 subpixel_centre(MapPoint p) { return vec2(map_texel(p)) + 0.5 - p.uv / p.texel; }
 
-// What the receiver's own texel decides. False: its neighbours have a say, see storage_near.
-bool storage_quick(MapPoint p, out float visible) {
+// Whether the receiver's own texel holds nothing before it, which one depth tells. False: see storage_texel.
+bool storage_lit(MapPoint p) {
+  storage_decision = decided_by_one_texel;
+  subpixel_decider = 4;
+  ivec3 address;
+  if (!p.valid || !map_fetch(p, ivec2(0), address)) return true;
+  return texelFetch(subpixel_minimum, address, 0).r >= min(p.depth - lookup.bias_scale * p.tolerance, 1.0);
+}
+
+// What the triangle of that texel decides. False: its neighbours have a say, see storage_near.
+bool storage_texel(MapPoint p, out float visible) {
   storage_decision = decided_by_one_texel;
   subpixel_decider = 4;
   visible = 1.0;
-  ivec3 address;
-  if (!p.valid || !map_fetch(p, ivec2(0), address)) return true;
-  if (texelFetch(subpixel_minimum, address, 0).r >= min(p.depth - lookup.bias_scale * p.tolerance, 1.0)) return true;
   Occluder o;
   subpixel_fetch(p, subpixel_centre(p), 4, o);
   float error = occluder_error(o, vec2(0.0));
   if (!o.averted && abs(o.depth) <= error) return true;
   visible = 0.0;
   return o.depth < -error && occluder_holds(o, vec2(0.0));
+}
+
+// Both.
+bool storage_quick(MapPoint p, out float visible) {
+  visible = 1.0;
+  return storage_lit(p) || storage_texel(p, visible);
 }
 
 // What the neighbours' triangles decide where storage_quick could not. False: see storage_recover.
