@@ -86,6 +86,13 @@ void chain(DeviceFeatures& f) {
   f.vulkan12.pNext = &f.vulkan13;
 }
 
+bool can_wide_atomics(const vk::raii::PhysicalDevice& physical) {
+  DeviceFeatures features;
+  chain(features);
+  (*physical).getFeatures2(&features.core, *physical.getDispatcher());
+  return features.core.features.shaderInt64 && features.vulkan12.shaderBufferInt64Atomics;
+}
+
 DeviceInfo describe(const vk::raii::PhysicalDevice& physical, uint32_t index) {
   const auto chain = physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>();
   const auto& properties = chain.get<vk::PhysicalDeviceProperties2>().properties;
@@ -243,8 +250,10 @@ Device::Device(const DeviceOptions& options) : context_(make_context()), message
   const auto extensions = required_extensions();
   DeviceFeatures features;
   required_features(features);
-  double_precision_ = physical_.getFeatures().shaderFloat64 == VK_TRUE;
+  double_precision_ = options.optional_features && physical_.getFeatures().shaderFloat64 == VK_TRUE;
   features.core.features.shaderFloat64 = double_precision_;
+  wide_atomics_ = options.optional_features && can_wide_atomics(physical_);
+  features.core.features.shaderInt64 = features.vulkan12.shaderBufferInt64Atomics = wide_atomics_;
   vk::DeviceCreateInfo device_info({}, queue_info, {}, extensions);
   device_info.pNext = &features.core;
   device_ = vk::raii::Device(physical_, device_info);
@@ -269,6 +278,7 @@ Device::Device(const AdoptedDevice& handles, Unchecked)
       messages_(std::make_unique<Messages>()),
       owned_(false),
       double_precision_(handles.double_precision),
+      wide_atomics_(handles.wide_atomics),
       instance_(context_, handles.instance),
       physical_(instance_, handles.physical_device),
       device_(physical_, handles.device),

@@ -21,6 +21,7 @@ struct CasterPipelineDesc {
   render::SceneInputs inputs = render::SceneInputs::position;  ///< what the storage's vertex stage reads
   bool sides =
       false;  ///< whether it draws one side of closed bodies and asks for silhouettes (storage/subpixel/side.glsl)
+  MapExtent extent = {};  ///< of the targets
 };
 
 class CasterDraws {

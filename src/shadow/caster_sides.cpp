@@ -10,7 +10,8 @@ namespace shadewright::shadow {
 
 static_assert(shared::listed_alignment % shared::sides_per_word == 0, "a word holds sides of one instance");
 
-CasterSides::CasterSides(const render::SceneGpu& scene, bool compacts, vk::DescriptorSetLayout lookup_layout)
+CasterSides::CasterSides(const render::SceneGpu& scene, bool compacts, bool splits,
+                         vk::DescriptorSetLayout lookup_layout)
     : scene_(scene) {
   const gpu::Device& device = scene.device();
   const uint64_t index_bytes = uint64_t{scene.listed_triangles()} * sizeof(glm::uvec3);
@@ -20,31 +21,37 @@ CasterSides::CasterSides(const render::SceneGpu& scene, bool compacts, vk::Descr
     kept_draws_ = gpu::Buffer(device, "caster draws", scene.list_capacity() * sizeof(shared::DrawCommand));
   }
   const auto pass = [&](bool light_has_position) {
-    return gpu::ComputePass(device, shaders::caster_sides_comp, std::vector(10, gpu::BindingKind::storage_buffer),
-                            sizeof(shared::SidesConstants), std::span(&lookup_layout, 1), {0, light_has_position});
+    return gpu::ComputePass(device, shaders::caster_sides_comp, std::vector(13, gpu::BindingKind::storage_buffer),
+                            sizeof(shared::SidesConstants), std::span(&lookup_layout, 1),
+                            {0, light_has_position, splits});
   };
   directional_pass_ = pass(false);
   positional_pass_ = pass(true);
 }
 
 void CasterSides::find(const vk::raii::CommandBuffer& commands, const render::CulledDraws& draws, uint32_t view,
-                       LightKind light, vk::DescriptorSet lookup_set) const {
+                       LightKind light, vk::DescriptorSet lookup_set, std::vector<gpu::Binding> small_lists) const {
   using gpu::Binding;
   const shared::SidesConstants constants{scene_.cluster_count(), scene_.list_capacity(), view, compacts() ? 1u : 0u};
-  const std::array bindings{Binding::storage(scene_.clusters()),
-                            Binding::storage(scene_.listed_clusters()),
-                            Binding::storage(draws.commands()),
-                            Binding::storage(draws.visible()),
-                            Binding::storage(scene_.indices()),
-                            Binding::storage(scene_.fold_normals()),
-                            Binding::storage(scene_.fold_offsets()),
-                            Binding::storage(sides_),
-                            Binding::storage(compacts() ? kept_indices_ : sides_),
-                            Binding::storage(compacts() ? kept_draws_ : sides_)};
+  std::vector bindings{Binding::storage(scene_.clusters()),
+                       Binding::storage(scene_.listed_clusters()),
+                       Binding::storage(draws.commands()),
+                       Binding::storage(draws.visible()),
+                       Binding::storage(scene_.indices()),
+                       Binding::storage(scene_.fold_normals()),
+                       Binding::storage(scene_.fold_offsets()),
+                       Binding::storage(sides_),
+                       Binding::storage(compacts() ? kept_indices_ : sides_),
+                       Binding::storage(compacts() ? kept_draws_ : sides_),
+                       Binding::storage(scene_.positions())};
+  if (small_lists.empty()) small_lists.assign(2, Binding::storage(sides_));
+  bindings.insert(bindings.end(), small_lists.begin(), small_lists.end());
   gpu::memory_barrier(commands);  // the view before may still be drawn
+  commands.fillBuffer(sides_.handle(), 0, VK_WHOLE_SIZE, 0);
+  gpu::memory_barrier(commands);
   const gpu::ComputePass& pass = light == LightKind::directional ? directional_pass_ : positional_pass_;
-  pass.dispatch(commands, bindings, gpu::bytes_of(constants), {gpu::groups(constants.list_capacity, 32), 1, 1},
-                std::span(&lookup_set, 1));
+  pass.dispatch(commands, bindings, gpu::bytes_of(constants),
+                {std::min(gpu::groups(constants.list_capacity, 4), 65535u), 1, 1}, std::span(&lookup_set, 1));
   gpu::memory_barrier(commands);
 }
 

@@ -13,11 +13,13 @@ class CasterSides {
  public:
   /// For the casters of `scene`, which outlives this. `compacts`: the drawn triangles are listed one after the other,
   /// if they are not too many for one storage binding; else all are drawn, and the geometry stage leaves some out.
-  CasterSides(const render::SceneGpu& scene, bool compacts, vk::DescriptorSetLayout lookup_layout);
+  /// `splits`: and small triangles are listed apart, by `find`.
+  CasterSides(const render::SceneGpu& scene, bool compacts, bool splits, vk::DescriptorSetLayout lookup_layout);
 
   /// Finds the sides of what `draws` has found visible in `view`. They stay until the next call.
+  /// `small_lists`: where small triangles are listed, if they are (SmallCasters::lists).
   void find(const vk::raii::CommandBuffer& commands, const render::CulledDraws& draws, uint32_t view, LightKind light,
-            vk::DescriptorSet lookup_set) const;
+            vk::DescriptorSet lookup_set, std::vector<gpu::Binding> small_lists) const;
   /// Whether there is a list to draw by `draw`.
   bool compacts() const { return bool{kept_draws_}; }
   /// Draws the listed triangles, with the scene's vertex inputs.

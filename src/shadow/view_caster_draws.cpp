@@ -30,7 +30,7 @@ void ViewCasterDraws::make_pipelines(const gpu::Device& device, const CasterPipe
 }
 
 void ViewCasterDraws::ask_for_sides(const CasterPipelineDesc& desc) {
-  sides_layout_ = desc.sides ? desc.lookup_layout : vk::DescriptorSetLayout{};
+  if (desc.sides) sides_desc_.emplace(desc);
 }
 
 void ViewCasterDraws::prepare(const Frame& frame, uint32_t slot, std::span<const MapView> views) {
@@ -39,7 +39,12 @@ void ViewCasterDraws::prepare(const Frame& frame, uint32_t slot, std::span<const
   if (scene_ != frame.scene) {
     draws_.emplace(*frame.scene, max_views_, frames_in_flight_, "shadow");
     scene_ = frame.scene;
-    if (sides_layout_) sides_.emplace(*scene_, compacts(), sides_layout_);
+    small_.reset();
+    if (sides_desc_) {
+      const bool splits = compacts() && SmallCasters::serves(*scene_, sides_desc_->extent);
+      sides_.emplace(*scene_, compacts(), splits, sides_desc_->lookup_layout);
+      if (splits) small_.emplace(*scene_, *sides_desc_);
+    }
   }
   std::vector<std::vector<Plane>> planes;
   std::transform(views.begin(), views.end(), std::back_inserter(planes),
@@ -66,7 +71,10 @@ void ViewCasterDraws::draw(const vk::raii::CommandBuffer& commands, const Frame&
 
 void ViewCasterDraws::before(const vk::raii::CommandBuffer& commands, const Frame& frame, uint32_t index,
                              vk::DescriptorSet lookup_set) const {
-  if (frame.scene && sides_) sides_->find(commands, *draws_, index, frame.light.kind, lookup_set);
+  if (!frame.scene || !sides_) return;
+  sides_->find(commands, *draws_, index, frame.light.kind, lookup_set,
+               small_ ? small_->lists() : std::vector<gpu::Binding>{});
+  if (small_) small_->rasterize(commands, lookup_set);
 }
 
 std::vector<gpu::Binding> ViewCasterDraws::sides(const gpu::Buffer& visible) const {
@@ -75,6 +83,7 @@ std::vector<gpu::Binding> ViewCasterDraws::sides(const gpu::Buffer& visible) con
 
 void ViewCasterDraws::draw_scene(const vk::raii::CommandBuffer& commands, uint32_t index,
                                  vk::DescriptorSet lookup_set) const {
+  if (small_) small_->draw(commands, index, lookup_set);
   pass_.bind(commands, sides(draws_->visible()), gpu::bytes_of(index), std::span(&lookup_set, 1));
   if (sides_ && sides_->compacts())
     sides_->draw(commands, *draws_);
@@ -86,6 +95,8 @@ std::vector<Allocation> ViewCasterDraws::allocations() const {
   std::vector<Allocation> result = draws_ ? draws_->allocations() : std::vector<Allocation>{};
   if (sides_)
     for (Allocation& allocation : sides_->allocations()) result.push_back(std::move(allocation));
+  if (small_)
+    for (Allocation& allocation : small_->allocations()) result.push_back(std::move(allocation));
   return result;
 }
 

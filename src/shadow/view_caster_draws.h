@@ -5,6 +5,7 @@
 
 #include "shadow/caster_draws.h"
 #include "shadow/caster_sides.h"
+#include "shadow/storage/subpixel/small_casters.h"
 
 namespace shadewright::shadow {
 
@@ -41,8 +42,9 @@ class ViewCasterDraws : public CasterDraws {
 
  private:
   uint32_t max_views_, frames_in_flight_;
-  vk::DescriptorSetLayout sides_layout_;  ///< set 1 of the pass that finds sides; none: nobody asks for them
+  std::optional<CasterPipelineDesc> sides_desc_;  ///< of the storage, if it asks for sides
   std::optional<CasterSides> sides_;
+  std::optional<SmallCasters> small_;
   std::span<const MapView> views_;
 };
 

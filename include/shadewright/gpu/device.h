@@ -29,6 +29,7 @@ struct DeviceOptions {
   std::string select;  ///< part of a name (any case) or an index; empty = discrete, then integrated, then CPU
   bool validation =
       false;  ///< turn the Khronos validation layer on, with synchronization checks; messages are collected
+  bool optional_features = true;  ///< false: only what every device must have, as if this one had no more
 };
 
 /// Handles that the caller owns and keeps alive for as long as the Device. The device must have been created with
@@ -42,6 +43,7 @@ struct AdoptedDevice {
   VkQueue queue = VK_NULL_HANDLE;
   uint32_t queue_family = 0;
   bool double_precision = false;  ///< the device was created with shaderFloat64
+  bool wide_atomics = false;      ///< the device was created with shaderInt64 and shaderBufferInt64Atomics
 };
 
 /// The chain of feature structures to create a VkDevice with; not movable, as the chain points into itself.
@@ -94,6 +96,8 @@ class Device {
   bool is_cpu() const { return info_.type == DeviceType::cpu; }
   /// True where shaders may use 64-bit floats.
   bool has_double_precision() const { return double_precision_; }
+  /// True where shaders may use 64-bit atomics on buffers.
+  bool has_wide_atomics() const { return wide_atomics_; }
   double nanoseconds_per_tick() const { return nanoseconds_per_tick_; }
 
   /// Index of a memory type among `type_bits` that has `wanted`. FailureError when there is none.
@@ -110,7 +114,7 @@ class Device {
   vk::raii::Context context_;
   std::unique_ptr<Messages> messages_;
   bool owned_ = true;
-  bool double_precision_ = false;
+  bool double_precision_ = false, wide_atomics_ = false;
   vk::raii::Instance instance_{nullptr};
   vk::raii::DebugUtilsMessengerEXT messenger_{nullptr};
   vk::raii::PhysicalDevice physical_{nullptr};

@@ -14,12 +14,6 @@ vec2 clip_to_texel(vec2 a, vec2 b) {
   return vec2(max(max(enter.x, enter.y), 0.0), min(min(leave.x, leave.y), 1.0));
 }
 
-// Minimum depth along the edge from a to b within the texel around the origin; infinity where it does not cross.
-float edge_minimum(vec3 a, vec3 b) {
-  vec2 within = clip_to_texel(a.xy, b.xy);
-  return within.x <= within.y ? min(mix(a.z, b.z, within.x), mix(a.z, b.z, within.y)) : 1.0 / 0.0;
-}
-
 // Twice the signed area.
 float cross2(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
 
@@ -35,19 +29,58 @@ vec2 depth_gradient(vec3 a, vec3 b, vec3 c) {
   return area == 0.0 ? vec2(0.0) : vec2(u.z * v.y - v.z * u.y, v.z * u.x - u.z * v.x) / area;
 }
 
+// An edge, as far as it is the same in all texels.
+struct Edge {
+  vec2 along;
+  vec2 inverse;  // of that
+  vec2 reach;    // how much of the edge half a texel is, along x and y
+  float rise;    // of depth
+};
+
+Edge edge_between(vec3 a, vec3 b) {
+  Edge e;
+  e.along = b.xy - a.xy;
+  e.inverse = 1.0 / mix(e.along, vec2(1e-20), lessThan(abs(e.along), vec2(1e-20)));
+  e.reach = half_texel * abs(e.inverse);
+  e.rise = b.z - a.z;
+  return e;
+}
+
+// Minimum depth along the edge from a within the texel around the origin; infinity where it does not cross.
+float edge_minimum(vec3 a, Edge e) {
+  vec2 middle = -a.xy * e.inverse, enter = middle - e.reach, leave = middle + e.reach;
+  float first = max(max(enter.x, enter.y), 0.0), last = min(min(leave.x, leave.y), 1.0);
+  return first <= last ? a.z + min(first * e.rise, last * e.rise) : 1.0 / 0.0;
+}
+
+// A triangle, as far as it is the same in all texels.
+struct Coverage {
+  Edge ab, bc, ca;
+  vec2 gradient;  // of its depth
+  vec2 lowest;    // corner of a texel
+  float descent;  // of its plane's depth from a texel's centre to there
+  float nearest;  // of the vertices' depths
+};
+
+Coverage coverage_of(vec3 a, vec3 b, vec3 c, vec2 gradient) {
+  Coverage t;
+  t.ab = edge_between(a, b);
+  t.bc = edge_between(b, c);
+  t.ca = edge_between(c, a);
+  t.gradient = gradient;
+  t.lowest = -half_texel * vec2(gradient.x < 0.0 ? -1.0 : 1.0, gradient.y < 0.0 ? -1.0 : 1.0);
+  t.descent = half_texel * (abs(gradient.x) + abs(gradient.y));
+  t.nearest = min(a.z, min(b.z, c.z));
+  return t;
+}
+
 // Minimum depth of the triangle within the texel around the origin; infinity where it does not touch it.
 // `depth` is that of its plane there.
-float consistent_minimum(vec3 a, vec3 b, vec3 c, vec2 gradient, float depth) {
-  float lowest = depth - half_texel * (abs(gradient.x) + abs(gradient.y));
-  vec2 ab = b.xy - a.xy, bc = c.xy - b.xy, ca = a.xy - c.xy;
-  float turn = cross2(ab, bc) < 0.0 ? -1.0 : 1.0;
-  vec3 side = turn * vec3(cross2(a.xy, ab), cross2(b.xy, bc), cross2(c.xy, ca));
-  vec3 reach = half_texel * vec3(abs(ab.x) + abs(ab.y), abs(bc.x) + abs(bc.y), abs(ca.x) + abs(ca.y));
-  if (all(greaterThan(side, reach))) return max(lowest, min(a.z, min(b.z, c.z)));  // the texel lies within
-  float minimum = min(edge_minimum(a, b), min(edge_minimum(b, c), edge_minimum(c, a)));
-  vec2 corner = -half_texel * vec2(gradient.x < 0.0 ? -1.0 : 1.0, gradient.y < 0.0 ? -1.0 : 1.0);
-  if (in_triangle(corner, a.xy, b.xy, c.xy)) minimum = min(minimum, lowest);
-  return max(minimum, min(a.z, min(b.z, c.z)));
+float consistent_minimum(Coverage t, vec3 a, vec3 b, vec3 c, float depth) {
+  float minimum = min(edge_minimum(a, t.ab), min(edge_minimum(b, t.bc), edge_minimum(c, t.ca)));
+  vec3 side = vec3(cross2(t.ab.along, t.lowest - a.xy), cross2(t.bc.along, t.lowest - b.xy), cross2(t.ca.along, t.lowest - c.xy));
+  bool holds_lowest = min(side.x, min(side.y, side.z)) >= 0.0 || max(side.x, max(side.y, side.z)) <= 0.0;
+  return max(holds_lowest ? min(minimum, depth - t.descent) : minimum, t.nearest);
 }
 
 #endif

@@ -39,6 +39,27 @@ struct SubpixelTangents {
   vec2 tangents[2048];       // four a pattern: unit normals into the shadow
 };
 const uint tangents_lit = 0, tangents_shadowed = 5;
+
+/// A triangle of at most small_reach texels along x and y.
+struct SmallTriangle {
+  uint base;         // texel, signed x and y in 16 bits each, from whose lower corner the vertices count
+  uint vertices[3];  // as a texel codes them, with the silhouettes and the averted bit
+  vec3 depths;       // theirs
+  uint slopes;       // codes of the slopes along x and y, 16 bits each
+};
+const float small_reach = 12.0f;
+/// Those of a visible instance among all.
+struct SmallList {
+  uint begin, end;
+};
+/// A square of texels in which there may be some of small triangles; none of these meets more than four.
+const uint small_tile = 16;
+/// VkDrawIndirectCommand: six vertices for each of these tiles, which are listed behind it.
+struct SmallTiles {
+  uint vertex_count;
+  uint count;
+  uint first_vertex, first_instance;
+};
 /// LookupData::recovery.
 const uint recovery_off = 0, recovery_silhouettes = 1, recovery_tangents = 2;
 

@@ -52,7 +52,7 @@ SubpixelStorage::SubpixelStorage(const gpu::Device& device, const StorageDesc& d
       gpu::Image(device, {"sub-pixel minimum depth", vk::Format::eD32Sfloat, extent.width, extent.height, extent.layers,
                           Usage::eDepthStencilAttachment | Usage::eSampled | Usage::eTransferSrc, true});
   draws_.make_pipelines(
-      device, {desc.spec, desc.lookup_layout, {triangles_.desc().format}, render::SceneInputs::position, true});
+      device, {desc.spec, desc.lookup_layout, {triangles_.desc().format}, render::SceneInputs::position, true, extent});
 }
 
 void SubpixelStorage::record(const Frame& frame, vk::DescriptorSet lookup_set, gpu::Recorder& recorder) {

@@ -118,6 +118,44 @@ TEST_F(SubpixelTest, WritesExactlyTheTexelsThatTrianglesTouch) {
   EXPECT_GT(touched, 1000u);
 }
 
+/// Small triangles are rasterized by a compute pass where the device can, and the map is the same bits.
+TEST_F(SubpixelTest, MapsAreTheSameWithoutWideAtomics) {
+  ASSERT_TRUE(device().has_wide_atomics());
+  const gpu::Device plain(gpu::DeviceOptions{"", true, false});
+  ASSERT_FALSE(plain.has_wide_atomics());
+  std::mt19937 random(64);
+  const Light light = sun(50, 40);
+  std::vector<Mesh> meshes;
+  for (int i = 0; i < 40; ++i) meshes.push_back(random_triangles(random, -light.direction));
+  const Scene scene = scene_of(std::move(meshes));
+  struct Result {
+    std::vector<std::byte> first, second;
+    Picture map;
+    uint64_t small_bytes = 0;
+  };
+  const auto draw = [&](const gpu::Device& on, const char* spec) {
+    ViewForTest view(on, scene, default_camera(scene), width, height);
+    view.frame().light = light;
+    const auto technique = make(on, spec);
+    Result result{view.look_up(*technique), view.look_up(*technique), technique->debug_picture("shadow-map"), 0};
+    for (const Allocation& allocation : technique->allocations())
+      if (allocation.name == "small casters") result.small_bytes = allocation.bytes;
+    return result;
+  };
+  for (const char* spec : {"spsm@96,fit=scene", "spsm@250", "perspective/subpixel/hard@96",
+                           "cascaded/subpixel/hard@64,cascades=3", "spsm@96,slopes=power"}) {
+    SCOPED_TRACE(spec);
+    const Result by_compute = draw(device(), spec), by_geometry = draw(plain, spec);
+    EXPECT_GT(by_compute.small_bytes, 0u);
+    EXPECT_EQ(by_geometry.small_bytes, 0u);
+    EXPECT_EQ(by_compute.first, by_geometry.first);
+    EXPECT_EQ(by_compute.second, by_compute.first);
+    EXPECT_TRUE(std::ranges::equal(by_compute.map.pixels, by_geometry.map.pixels));
+    EXPECT_GT(std::ranges::count(by_compute.first, std::byte{0}), 100);
+  }
+  EXPECT_TRUE(plain.validation_messages().empty());
+}
+
 Mesh box(const glm::vec3& low, const glm::vec3& high) {
   Mesh mesh;
   for (int i = 0; i < 8; ++i)

@@ -27,6 +27,16 @@ vec2 decode_vertex(uint word) {
   return vec2(bitfieldExtract(int(word), 0, 15), bitfieldExtract(int(word), 16, 15)) * vertex_step;
 }
 
+// Depth at the texel's centre, from the minimum over the texel; `within` is how far it may lie from that.
+uint encode_depth(bool absolute, float depth, float minimum, float within) {
+  return absolute ? uint(round(65535.0 * clamp(depth, 0.0, 1.0))) : uint(round(511.0 * clamp((depth - minimum) / within, -1.0, 1.0) + 511.0));
+}
+
+// The last word.
+uint encode_slopes(uint bits, uint code_x, uint code_y, uint depth_code) {
+  return (code_x << (32 - bits)) | (code_y << (32 - 2 * bits)) | depth_code;
+}
+
 // The line through an edge: its normal out of the triangle, of any length, as an angle; whether it is a silhouette; and 4 bits more.
 // The angle is measured around a square, not a circle, which needs no trigonometry: x falls from 1 to -1 in the upper half and
 // rises in the lower.
