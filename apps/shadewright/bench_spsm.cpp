@@ -76,9 +76,9 @@ struct FramedView {
     return result;
   }
 };
-const FramedView framed_views[] = {{"spheres", "spheres", {-2.82, 0.13, -1.7}, {-2.921, 0, -1.802}, 32},
-                                   {"lattice", "lattice", {0.2, 1.1, 0.75}, {-0.1, 0.85, 0.1}, 22},
-                                   {"city", "city?triangles=200000", {1.4, 1.2, 29}, {3.15, 0.15, 27.6}, 16}};
+const FramedView framed_views[] = {{"spheres", "spheres", {-2.82, 0.13, -1.7}, {-2.921, 0, -1.802}, 21},
+                                   {"lattice", "lattice", {0.2, 1.1, 0.75}, {-0.1, 0.85, 0.1}, 16},
+                                   {"city", "city?triangles=200000", {1.4, 1.2, 29}, {3.15, 0.15, 27.6}, 22}};
 
 BenchTable matches(Bench& bench) {
   BenchTable table{

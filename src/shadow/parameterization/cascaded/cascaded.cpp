@@ -18,22 +18,15 @@ static_assert(shared::max_cascades <= shared::max_map_views);
 
 /// Receivers' bounds are exact up to float rounding of the map coordinates.
 constexpr double rounding_border_texels = 1;
-/// Steps of a stable window's size per doubling. With 8 there is less wrong (city, 256 texels: 1.24 % against 1.28) and
-/// more flicker (0.399 % against 0.386).
-constexpr double window_steps = 4;
-/// A stable window turns in steps, too. With 32 there is less wrong (city, 1024 texels: 0.325 % against 0.341, without
-/// a turn 0.354) and more flicker among large texels (256: 0.424 % against 0.397, without 0.386), since it turns often.
-constexpr size_t stable_turns = 4;
+/// A stable window, and the range that is split, are chosen so many times as large as what they must hold along each
+/// axis, and kept while they hold it and are at most so many times as large (area, ratio) as new ones.
+constexpr double steady_slack = 1.03, steady_waste = 1.3;
 
 /// Axes whose z is the camera's view depth.
 LightFrame depth_axis(const render::CameraView& camera) {
   LightFrame frame;
   frame.view_from_world = glm::row(frame.view_from_world, 2, glm::row(camera.clip_from_world, 3));
   return frame;
-}
-
-Box world_bounds(const Frame& frame) {
-  return frame.scene ? unite(frame.scene->bounds(), frame.draw_bounds) : frame.draw_bounds;
 }
 
 Box window(const glm::dvec2& center, const glm::dvec2& half) {
@@ -48,7 +41,8 @@ Cascaded::Cascaded(const gpu::Device& device, const Spec& spec, uint32_t frames_
       cascades_(static_cast<uint32_t>(spec.number("cascades"))),
       lambda_(spec.number("lambda")),
       stable_(spec.choice("stable") == "1"),
-      reach_(filter_reach(spec)) {
+      reach_(filter_reach(spec)),
+      steady_(cascades_) {
   if (spec.choice("splits") == "sdsm") visible_.emplace(device);
   for (uint32_t i = 0; i < frames_in_flight; ++i)
     constants_.emplace_back(device, "cascades", sizeof(shared::CascadeData), gpu::HostAccess::write);
@@ -78,7 +72,7 @@ void Cascaded::prepare(const Frame& frame, gpu::Recorder& recorder) {
     range = {std::max(range.nearest, seen.min.z), std::min(range.farthest, seen.max.z)};
   }
   slices_.clear();
-  if (range.nearest <= range.farthest) slices_ = split(stable_ ? widen_to_grid(range) : range, cascades_, lambda_);
+  if (range.nearest <= range.farthest) slices_ = split(stable_ ? steady_range(range) : range, cascades_, lambda_);
   slices_.resize(cascades_, {0, 0});
 
   std::vector<LightFrame> lights(cascades_, light);
@@ -86,8 +80,9 @@ void Cascaded::prepare(const Frame& frame, gpu::Recorder& recorder) {
   recorder.cpu_stage("fit", [&] {
     for (size_t i = 0; i < cascades_; ++i) {
       const std::vector<glm::dvec3> points = receivers_in(slice_planes(frame.camera, slices_[i]));
-      lights[i] = stable_ ? turn_to_fit(light, points, stable_turns) : turn_to_fit(light, points);
+      lights[i] = turn_to_fit(light, points);
       receivers[i] = receiver_bounds(lights[i], points);
+      if (stable_ && !receivers[i].empty()) hold_steady(steady_[i], light, points, lights[i], receivers[i]);
     }
   });
   if (visible_ && !stable_) {
@@ -103,7 +98,6 @@ void Cascaded::prepare(const Frame& frame, gpu::Recorder& recorder) {
   borders_.assign(cascades_, glm::vec2(0));
   std::optional<glm::dvec4> depth_row;
   for (uint32_t i = 0; i < cascades_; ++i) {
-    if (stable_ && !receivers[i].empty()) receivers[i] = constant_window(frame, lights[i], slices_[i], receivers[i]);
     MapView view = make_view(lights[i], receivers[i], all, borders_[i]);
     view.layer = i;
     if (view.drawn) {
@@ -118,24 +112,30 @@ void Cascaded::prepare(const Frame& frame, gpu::Recorder& recorder) {
   write_constants(light, constants_[frame.index % constants_.size()].mapped<shared::CascadeData>()[0]);
 }
 
-Box Cascaded::constant_window(const Frame& frame, const LightFrame& light, const DepthRange& slice,
-                              const Box& receivers) const {
-  const glm::dvec2 half(0.5 * receivers.size());
-  if (light.perspective)
-    return window(glm::dvec2(receivers.center()), {round_up_to_grid(half.x), round_up_to_grid(half.y)});
-  const Sphere sphere = slice_sphere(frame.camera, slice);
-  glm::dvec2 center(light.view_from_world * glm::dvec4(sphere.center, 1.0)), reach(sphere.radius);
-  const Box scene = transform(light.view_from_world, world_bounds(frame));
-  for (int axis = 0; axis < 2; ++axis) {
-    const auto take = [&](double half_size, double middle) {
-      if (half_size >= reach[axis]) return;
-      reach[axis] = half_size;
-      center[axis] = middle;
-    };
-    take(round_up_to_grid(0.5 * scene.size()[axis]), scene.center()[axis]);
-    take(round_up_to_grid(half[axis], window_steps), receivers.center()[axis]);
+DepthRange Cascaded::steady_range(const DepthRange& range) {
+  const auto ratio = [](const DepthRange& r) { return r.farthest / r.nearest; };
+  const DepthRange fresh{range.nearest / steady_slack, range.farthest * steady_slack};
+  const bool holds = steady_range_.nearest <= range.nearest && steady_range_.farthest >= range.farthest;
+  if (!holds || ratio(steady_range_) > steady_waste * ratio(fresh)) steady_range_ = fresh;
+  return steady_range_;
+}
+
+void Cascaded::hold_steady(SteadyWindow& steady, const LightFrame& light, std::span<const glm::dvec3> points,
+                           LightFrame& turned, Box& receivers) {
+  const auto half = [](const Box& box) { return 0.5 * glm::dvec2(box.size()); };
+  const auto area = [](const glm::dvec2& size) { return size.x * size.y; };
+  const SteadyWindow fresh{light, turned, steady_slack * half(receivers)};
+  if (steady.turned_from.view_from_world == light.view_from_world &&
+      area(steady.half) <= steady_waste * area(fresh.half)) {
+    const Box again = receiver_bounds(steady.light, points);
+    if (glm::all(glm::lessThanEqual(half(again), steady.half))) {
+      turned = steady.light;
+      receivers = window(glm::dvec2(again.center()), steady.half);
+      return;
+    }
   }
-  return window(center, reach);
+  steady = fresh;
+  receivers = window(glm::dvec2(receivers.center()), steady.half);
 }
 
 MapView Cascaded::make_view(const LightFrame& light, Box receivers, const Box& all, glm::vec2& border) const {

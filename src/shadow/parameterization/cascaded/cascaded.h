@@ -5,8 +5,8 @@
 //
 // splits=pssm  the range to split runs from the nearest to the farthest receiver, each slice is fitted as by uniform
 // splits=sdsm  range and slices are fitted to the visible surface points, reduced on the device and read back
-// stable=1     maps move by whole texels, so that a moving camera does not shimmer; their size is that of a sphere
-//              around the slice, or of the receivers in it, in steps, where that is less
+// stable=1     maps move by whole texels, so that a moving camera does not shimmer; their size and turn stay from frame
+//              to frame while they hold the slice's receivers and are little larger than they must be
 // What differs from the papers: a receiver takes the first cascade that holds it, not that of its slice; all cascades
 // share one depth range, so that only its place across the light decides.
 #pragma once
@@ -43,8 +43,18 @@ class Cascaded final : public Parameterization {
   Picture debug_picture(std::string_view name, const ReceiverLookup& lookup) override;
 
  private:
-  /// The window, of a size that seldom changes, that holds a slice's receivers (stable).
-  Box constant_window(const Frame& frame, const LightFrame& light, const DepthRange& slice, const Box& receivers) const;
+  /// What was chosen for a stable map, kept from frame to frame.
+  struct SteadyWindow {
+    LightFrame turned_from;  ///< the light's own
+    LightFrame light;
+    glm::dvec2 half{0};  ///< size across the light
+  };
+  /// The range to split, which seldom changes (stable).
+  DepthRange steady_range(const DepthRange& range);
+  /// Takes the window that was kept in place of one turned and fitted to the receivers at `points`, or keeps that one
+  /// (stable). `light` is not turned.
+  static void hold_steady(SteadyWindow& steady, const LightFrame& light, std::span<const glm::dvec3> points,
+                          LightFrame& turned, Box& receivers);
   /// The view that holds `receivers` and what filters read around them; `all` are the receivers of every slice.
   MapView make_view(const LightFrame& light, Box receivers, const Box& all, glm::vec2& border) const;
   void write_constants(const LightFrame& light, shared::CascadeData& constants) const;
@@ -56,6 +66,8 @@ class Cascaded final : public Parameterization {
   FilterReach reach_;
   std::optional<VisibleBounds> visible_;  ///< splits=sdsm
   std::vector<gpu::Buffer> constants_;    ///< by slot, host-written
+  std::vector<SteadyWindow> steady_;      ///< by cascade
+  DepthRange steady_range_{1, 0};
   std::vector<DepthRange> slices_;
   std::vector<MapView> views_;
   std::vector<glm::vec2> borders_;

@@ -6,13 +6,6 @@
 
 namespace shadewright::shadow {
 
-namespace {
-
-/// Steps of the range's grid per doubling. Finer steps waste less of a map and change more often.
-constexpr double range_steps = 2;
-
-}  // namespace
-
 std::vector<DepthRange> split(const DepthRange& range, uint32_t count, double lambda) {
   std::vector<DepthRange> slices;
   double from = range.nearest;
@@ -25,15 +18,6 @@ std::vector<DepthRange> split(const DepthRange& range, uint32_t count, double la
     from = to;
   }
   return slices;
-}
-
-double round_up_to_grid(double size, double steps_per_octave) {
-  return std::exp2(std::ceil(std::log2(size) * steps_per_octave) / steps_per_octave);
-}
-
-DepthRange widen_to_grid(const DepthRange& range) {
-  return {std::exp2(std::floor(std::log2(range.nearest) * range_steps) / range_steps),
-          round_up_to_grid(range.farthest, range_steps)};
 }
 
 double view_depth(const render::CameraView& camera, const glm::dvec3& world) {
@@ -58,20 +42,6 @@ std::vector<Plane> slice_planes(const render::CameraView& camera, const DepthRan
   planes.push_back({axis, (w.w - slice.nearest) / length});
   planes.push_back({-axis, (slice.farthest - w.w) / length});
   return planes;
-}
-
-Sphere slice_sphere(const render::CameraView& camera, const DepthRange& slice) {
-  const glm::dvec3 w(glm::row(camera.clip_from_world, 3));
-  const glm::dvec3 axis = glm::normalize(w);
-  const double nearest = slice.nearest / glm::length(w), farthest = slice.farthest / glm::length(w);
-  double tangent = 0;
-  for (const glm::dvec2 corner : {glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(0, 1), glm::dvec2(1, 1)}) {
-    const glm::dvec3 ray = camera.ray(corner * glm::dvec2(camera.width, camera.height));
-    tangent = std::max(tangent, glm::length(ray / glm::dot(ray, axis) - axis));
-  }
-  // Equally far from the near and the far corners, but never beyond the far plane.
-  const double along = std::min(farthest, 0.5 * (nearest + farthest) * (1 + tangent * tangent));
-  return {camera.eye() + along * axis, std::hypot(farthest - along, tangent * farthest)};
 }
 
 }  // namespace shadewright::shadow

@@ -12,11 +12,6 @@ namespace shadewright::shadow {
 /// 2006, equations 1 to 5). The range's nearest depth must be positive.
 std::vector<DepthRange> split(const DepthRange& range, uint32_t count, double lambda);
 
-/// The range widened to a fixed grid of ratios, so that it stays the same while a camera moves a little.
-DepthRange widen_to_grid(const DepthRange& range);
-/// `size` rounded up to a grid of so many steps per doubling, by default the same.
-double round_up_to_grid(double size, double steps_per_octave = 2);
-
 /// The camera's depth at a point: its clip w, a distance along its axis.
 double view_depth(const render::CameraView& camera, const glm::dvec3& world);
 /// The view depths of `points`; nearest > farthest for none.
@@ -24,12 +19,5 @@ DepthRange view_depths(const render::CameraView& camera, std::span<const glm::dv
 
 /// The camera's half-spaces with the two that bound a slice.
 std::vector<Plane> slice_planes(const render::CameraView& camera, const DepthRange& slice);
-
-struct Sphere {
-  glm::dvec3 center{0};
-  double radius = 0;
-};
-/// The smallest sphere on the camera's axis that holds the slice of its view: the same size wherever it looks.
-Sphere slice_sphere(const render::CameraView& camera, const DepthRange& slice);
 
 }  // namespace shadewright::shadow

@@ -93,7 +93,7 @@ Box receiver_bounds(const LightFrame& light, std::span<const glm::dvec3> points)
   return bounds;
 }
 
-glm::dvec2 smallest_turn(std::span<const glm::dvec2> points, size_t turns) {
+glm::dvec2 smallest_turn(std::span<const glm::dvec2> points) {
   // Floats about the points' middle, in flat arrays, so that it vectorizes.
   constexpr size_t angles = 32;
   using PerAngle = std::array<float, angles>;
@@ -126,18 +126,18 @@ glm::dvec2 smallest_turn(std::span<const glm::dvec2> points, size_t turns) {
   }
   size_t best = 0;
   const auto area = [&](size_t a) { return (high_x[a] - low_x[a]) * (high_y[a] - low_y[a]); };
-  for (size_t a = angles / turns; a < angles; a += angles / turns)
+  for (size_t a = 1; a < angles; ++a)
     if (area(a) < (1 - 1e-5f) * area(best)) best = a;  // the first of those that floats do not tell apart
   const double angle = 0.5 * std::numbers::pi * static_cast<double>(best) / angles;
   return {std::cos(angle), std::sin(angle)};
 }
 
-LightFrame turn_to_fit(const LightFrame& light, std::span<const glm::dvec3> points, size_t turns) {
+LightFrame turn_to_fit(const LightFrame& light, std::span<const glm::dvec3> points) {
   if (light.perspective || points.empty()) return light;
   std::vector<glm::dvec2> images;
   images.reserve(points.size());
   for (const glm::dvec3& point : points) images.push_back(glm::dvec2(view_coordinates(light, point)));
-  const glm::dvec2 axis = smallest_turn(images, turns);
+  const glm::dvec2 axis = smallest_turn(images);
   glm::dmat4 turn(1.0);
   turn[0] = {axis.x, -axis.y, 0, 0};
   turn[1] = {axis.y, axis.x, 0, 0};

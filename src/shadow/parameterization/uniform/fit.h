@@ -29,13 +29,12 @@ std::vector<glm::dvec3> receiver_points(const Frame& frame, std::span<const Plan
 /// `points` of a perspective light are cut by its window planes. Empty for no points.
 Box receiver_bounds(const LightFrame& light, std::span<const glm::dvec3> points);
 
-/// (cosine, sine) of the turn within a right angle, of `turns` (a divisor of 32), that gives `points` the bounding
-/// rectangle of least area.
-glm::dvec2 smallest_turn(std::span<const glm::dvec2> points, size_t turns = 32);
+/// (cosine, sine) of the turn, of 32 within a right angle, that gives `points` the bounding rectangle of least area.
+glm::dvec2 smallest_turn(std::span<const glm::dvec2> points);
 
-/// Turns a directional light's frame about its axis so that the receivers' bounding rectangle is smallest (of
-/// `turns` angles). Others stay as they are.
-LightFrame turn_to_fit(const LightFrame& light, std::span<const glm::dvec3> points, size_t turns = 32);
+/// Turns a directional light's frame about its axis so that the receivers' bounding rectangle is smallest (of 32
+/// angles). Others stay as they are.
+LightFrame turn_to_fit(const LightFrame& light, std::span<const glm::dvec3> points);
 
 /// The view whose map, `resolution` texels an axis, just holds `receivers` (as `receiver_bounds` gives them), with a
 /// border of `border_texels`.
