@@ -1,8 +1,7 @@
 // The triangles of a view that cover few texels, rasterized conservatively by a compute pass: each texel's least
 // minimum depth and whose it is, in one 64-bit word. A pass over the tiles that hold any then codes each texel once,
-// where the geometry stage's triangles are coded in every texel that they meet. On a CPU device a triangle costs a
-// tenth so; most triangles of a detailed scene are small. The same triangles meet the same texels as by the geometry
-// stage.
+// where the geometry stage's triangles are coded in every texel that they meet. The map's bits are the same, unless
+// several triangles have the same minimum. Lattice at 1024: frames that are nearly all map take 0.64 of the time.
 #pragma once
 
 #include <vector>
