@@ -86,10 +86,14 @@ void chain(DeviceFeatures& f) {
   f.vulkan12.pNext = &f.vulkan13;
 }
 
-bool can_wide_atomics(const vk::raii::PhysicalDevice& physical) {
-  DeviceFeatures features;
+void read_features(const vk::raii::PhysicalDevice& physical, DeviceFeatures& features) {
   chain(features);
   (*physical).getFeatures2(&features.core, *physical.getDispatcher());
+}
+
+bool can_wide_atomics(const vk::raii::PhysicalDevice& physical) {
+  DeviceFeatures features;
+  read_features(physical, features);
   return features.core.features.shaderInt64 && features.vulkan12.shaderBufferInt64Atomics;
 }
 
@@ -209,8 +213,7 @@ std::string Device::why_unusable(const vk::raii::PhysicalDevice& physical) {
       return std::string("no ") + wanted;
   }
   DeviceFeatures features;
-  chain(features);
-  (*physical).getFeatures2(&features.core, *physical.getDispatcher());
+  read_features(physical, features);
   std::string missing;
   visit_features(features, [&](const char* name, vk::Bool32 value) {
     if (!value && missing.empty()) missing = std::string("no ") + name;

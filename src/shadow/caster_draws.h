@@ -15,7 +15,7 @@ namespace shadewright::shadow {
 
 /// What a storage asks of the pipelines that draw casters.
 struct CasterPipelineDesc {
-  const Spec& spec;                                            ///< names the storage's stages, see casters_shaders
+  const Spec& spec;  ///< of the technique, which outlives the draws; names the storage's stages, see casters_shaders
   vk::DescriptorSetLayout lookup_layout;                       ///< set 1
   std::vector<vk::Format> colors;                              ///< of attachments besides depth (D32)
   render::SceneInputs inputs = render::SceneInputs::position;  ///< what the storage's vertex stage reads

@@ -81,9 +81,9 @@ void list(uint place) {
     }
     uint listed_at = constants.compact != 0 ? append(drawn, listed) : t;
     if (!drawn) continue;
-    uint at = begin + listed_at;
-    if (constants.compact != 0) kept_indices[at] = corners;
-    atomicOr(sides[at / sides_per_word], (side_drawn | silhouettes) << (32 / sides_per_word * (at % sides_per_word)));
+    listed_at += begin;
+    if (constants.compact != 0) kept_indices[listed_at] = corners;
+    atomicOr(sides[listed_at / sides_per_word], (side_drawn | silhouettes) << (32 / sides_per_word * (listed_at % sides_per_word)));
   }
   if (!subgroupElect()) return;
   if (splits) small_lists[place] = SmallList(begin, begin + small_count);

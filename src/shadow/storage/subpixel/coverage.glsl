@@ -6,12 +6,19 @@
 
 #include "shadow/storage/subpixel/shared.h"
 
-// The part of the edge from a to b that lies within the texel around the origin, of its length; none if x > y.
-vec2 clip_to_texel(vec2 a, vec2 b) {
-  vec2 d = b - a;
-  vec2 inverse = 1.0 / mix(d, vec2(1e-20), lessThan(abs(d), vec2(1e-20)));
-  vec2 middle = -a * inverse, reach = half_texel * abs(inverse), enter = middle - reach, leave = middle + reach;
+vec2 finite_inverse(vec2 d) { return 1.0 / mix(d, vec2(1e-20), lessThan(abs(d), vec2(1e-20))); }
+
+// The part of the edge from a that lies within the texel around the origin, of its length; none if x > y. `inverse` is that of
+// the edge, and `reach` how much of it half a texel is.
+vec2 clip_to_texel(vec2 a, vec2 inverse, vec2 reach) {
+  vec2 middle = -a * inverse, enter = middle - reach, leave = middle + reach;
   return vec2(max(max(enter.x, enter.y), 0.0), min(min(leave.x, leave.y), 1.0));
+}
+
+// The same of the edge from a to b.
+vec2 clip_to_texel(vec2 a, vec2 b) {
+  vec2 inverse = finite_inverse(b - a);
+  return clip_to_texel(a, inverse, half_texel * abs(inverse));
 }
 
 // Twice the signed area.
@@ -40,7 +47,7 @@ struct Edge {
 Edge edge_between(vec3 a, vec3 b) {
   Edge e;
   e.along = b.xy - a.xy;
-  e.inverse = 1.0 / mix(e.along, vec2(1e-20), lessThan(abs(e.along), vec2(1e-20)));
+  e.inverse = finite_inverse(e.along);
   e.reach = half_texel * abs(e.inverse);
   e.rise = b.z - a.z;
   return e;
@@ -48,9 +55,8 @@ Edge edge_between(vec3 a, vec3 b) {
 
 // Minimum depth along the edge from a within the texel around the origin; infinity where it does not cross.
 float edge_minimum(vec3 a, Edge e) {
-  vec2 middle = -a.xy * e.inverse, enter = middle - e.reach, leave = middle + e.reach;
-  float first = max(max(enter.x, enter.y), 0.0), last = min(min(leave.x, leave.y), 1.0);
-  return first <= last ? a.z + min(first * e.rise, last * e.rise) : 1.0 / 0.0;
+  vec2 within = clip_to_texel(a.xy, e.inverse, e.reach);
+  return within.x <= within.y ? a.z + min(within.x * e.rise, within.y * e.rise) : 1.0 / 0.0;
 }
 
 // A triangle, as far as it is the same in all texels.
