@@ -11,8 +11,7 @@
 #include "shadow/storage/subpixel/side.glsl"
 #include "shadow/storage/subpixel/small_triangle.glsl"
 
-layout(constant_id = 1) const bool light_has_position = true;  // else no plane needs its offset
-layout(constant_id = 2) const bool splits = false;             // small triangles are listed apart
+layout(constant_id = 1) const bool splits = false;  // small triangles are listed apart
 
 layout(local_size_x = 32) in;
 layout(set = 0, binding = 0, scalar) readonly buffer Clusters { ClusterData clusters[]; };
@@ -65,7 +64,7 @@ void list(uint place) {
     uint t = from + gl_SubgroupInvocationID;
     bool drawn = t < count;
     uvec4 normals = drawn ? fold_normals[first + t] : uvec4(no_normal);
-    vec4 offsets = light_has_position && drawn ? fold_offsets[first + t] : vec4(0.0);
+    vec4 offsets = light_kind() != light_directional && drawn ? fold_offsets[first + t] : vec4(0.0);
     bool facing = faces_light(normals.x, offsets.x, light);
     drawn = drawn && !is_left_out(facing, instance.first_triangle);
     uint silhouettes = silhouette_bits(normals, offsets, light, facing);

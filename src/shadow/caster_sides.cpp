@@ -20,13 +20,13 @@ CasterSides::CasterSides(const render::SceneGpu& scene, bool compacts, bool spli
     kept_indices_ = gpu::Buffer(device, "caster indices", index_bytes);
     kept_draws_ = gpu::Buffer(device, "caster draws", scene.list_capacity() * sizeof(shared::DrawCommand));
   }
-  const auto pass = [&](bool light_has_position) {
+  const auto pass = [&](uint32_t light_kind) {
     return gpu::ComputePass(device, shaders::caster_sides_comp, std::vector(13, gpu::BindingKind::storage_buffer),
                             sizeof(shared::SidesConstants), std::span(&lookup_layout, 1),
-                            {0, light_has_position, splits});
+                            {light_kind, splits});
   };
-  directional_pass_ = pass(false);
-  positional_pass_ = pass(true);
+  directional_pass_ = pass(shared::light_directional);
+  positional_pass_ = pass(shared::light_any);
 }
 
 void CasterSides::find(const vk::raii::CommandBuffer& commands, const render::CulledDraws& draws, uint32_t view,

@@ -4,9 +4,7 @@
 
 namespace shadewright::shadow {
 
-namespace {
-
-uint32_t light_kind(LightKind kind) {
+uint32_t shared_kind(LightKind kind) {
   switch (kind) {
     case LightKind::spot:
       return shared::light_spot;
@@ -17,8 +15,6 @@ uint32_t light_kind(LightKind kind) {
   }
 }
 
-}  // namespace
-
 bool same_light(const Light& a, const Light& b) {
   return a.kind == b.kind && a.direction == b.direction && a.position == b.position && a.outer_angle == b.outer_angle;
 }
@@ -28,7 +24,7 @@ shared::LookupData lookup_data(const Frame& frame) {
   lookup.light_position = glm::vec3(frame.light.position);
   lookup.light_direction = glm::vec3(frame.light.direction);
   lookup.light_cos_outer = static_cast<float>(std::cos(frame.light.outer_angle));
-  lookup.light_kind = light_kind(frame.light.kind);
+  lookup.light_kind = shared_kind(frame.light.kind);
   lookup.eye = glm::vec3(frame.camera.eye());
   return lookup;
 }

@@ -9,6 +9,9 @@ namespace shadewright::shadow {
 /// True if nothing of what a shadow depends on differs.
 bool same_light(const Light& a, const Light& b);
 
+/// light_directional, light_spot or light_point.
+uint32_t shared_kind(LightKind kind);
+
 /// The members that follow from the frame; the map's are left as they are.
 shared::LookupData lookup_data(const Frame& frame);
 

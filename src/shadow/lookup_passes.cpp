@@ -19,7 +19,7 @@ uint32_t pass_count(const Spec& spec) {
 }  // namespace
 
 LookupPasses::LookupPasses(const gpu::Device& device, const Spec& spec, vk::Extent2D extent,
-                           std::vector<gpu::BindingKind> kinds, vk::DescriptorSetLayout lookup_layout, bool six_faces,
+                           std::vector<gpu::BindingKind> kinds, vk::DescriptorSetLayout lookup_layout, uint32_t light_kind,
                            Known known)
     : extent_(extent) {
   const uint32_t count = pass_count(spec);
@@ -32,7 +32,7 @@ LookupPasses::LookupPasses(const gpu::Device& device, const Spec& spec, vk::Exte
   const auto shader = lookup_shader(spec.parameterization + "/" + spec.storage + "/" + spec.filter);
   for (uint32_t pass = 0; pass < count; ++pass)
     passes_.push_back(gpu::ComputePass(device, shader, kinds, 0, std::span(&lookup_layout, 1),
-                                       {six_faces, pass, known.storage, known.parameterization}));
+                                       {light_kind, pass, known.storage, known.parameterization}));
 }
 
 void LookupPasses::record(const vk::raii::CommandBuffer& commands, std::vector<gpu::Binding> bindings,

@@ -20,7 +20,7 @@ class LookupPasses {
   LookupPasses() = default;
   /// For images of `extent` pixels, with bindings of `kinds` in set 0; set 1 is of `lookup_layout`.
   LookupPasses(const gpu::Device& device, const Spec& spec, vk::Extent2D extent, std::vector<gpu::BindingKind> kinds,
-               vk::DescriptorSetLayout lookup_layout, bool six_faces, Known known);
+               vk::DescriptorSetLayout lookup_layout, uint32_t light_kind, Known known);
 
   void record(const vk::raii::CommandBuffer& commands, std::vector<gpu::Binding> bindings,
               vk::DescriptorSet lookup_set) const;

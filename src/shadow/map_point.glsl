@@ -10,9 +10,9 @@
 #define SHADEWRIGHT_LOOKUP_SET 1
 #endif
 
-// Whether the light is a point light, whose map has six faces: 0 or 1, or 2 where that is not known when the look-up is compiled.
-// Where it is, other lights index their one view by a constant too: that made the look-up a fifth faster on a CPU device.
-layout(constant_id = 0) const uint known_six_faces = 2;
+// The light's kind, or light_any where that is not known when the look-up is compiled: a CPU device runs what each kind asks for
+// then. Where it is, lights other than point lights index their one view by a constant too.
+layout(constant_id = 0) const uint known_light_kind = light_any;
 
 #ifdef SHADEWRIGHT_LOADS_FIRST  // see loads_first.glsl
 layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 0, scalar) uniform Lookup {
@@ -33,7 +33,10 @@ layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 0, scalar) uniform Lookup {
 #define map_first_view map_views[0]
 #endif
 
-bool six_faces() { return known_six_faces == 2 ? lookup.light_kind == light_point : known_six_faces == 1; }
+uint light_kind() { return known_light_kind == light_any ? lookup.light_kind : known_light_kind; }
+
+// A point light's map has six faces.
+bool six_faces() { return light_kind() == light_point; }
 
 // The view of a layer or face. A module with several for each light defines MAP_SEVERAL_VIEWS before this.
 MapViewData map_view(uint index) {
@@ -82,7 +85,7 @@ MapPoint map_projected(vec4 q, vec3 plane, vec3 depth_row, uint layer, vec3 worl
   // a light with a position included; where a perspective depth is steep that is little, where it is flat it is much. The
   // rest of the arithmetic costs units in the last place of depth and of uv (below 1, times the slope), and the rasterizer
   // snaps vertices to 1/256 texel.
-  vec3 a = abs(world) + (lookup.light_kind == light_directional ? vec3(0.0) : abs(lookup.light_position));
+  vec3 a = abs(world) + (light_kind() == light_directional ? vec3(0.0) : abs(lookup.light_position));
   float error_coordinates = position_error_of_coordinates * (a.x + a.y + a.z);
   float error_world = error_coordinates + position_error_of_distance * distance(world, lookup.eye);
   vec2 slope = abs(gradient);

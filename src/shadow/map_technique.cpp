@@ -66,7 +66,7 @@ void MapTechnique::write_lookup_sets() {
 }
 
 void MapTechnique::build_for(LightKind light) {
-  if (built_for_ && (*built_for_ == LightKind::point) == (light == LightKind::point)) return;
+  if (built_for_ == light) return;
   device_.handle().waitIdle();  // earlier frames may still read the old map
   storage_.reset();
   draws_ = parameterization_->make_caster_draws(light, options_.frames_in_flight);
@@ -75,7 +75,7 @@ void MapTechnique::build_for(LightKind light) {
   lookup_ =
       LookupPasses(device_, spec_, {options_.width, options_.height},
                    {uniform_buffer, sampled_image, sampled_image, storage_image}, lookup_sets_.layout(),
-                   light == LightKind::point, {storage_->lookup_constant(), parameterization_->lookup_constant()});
+                   shared_kind(light), {storage_->lookup_constant(), parameterization_->lookup_constant()});
   built_for_ = light;
   write_lookup_sets();
 }
@@ -92,7 +92,7 @@ void MapTechnique::prepare(const Frame& frame, gpu::Recorder& recorder) {
     write_constants(frame);
     draws_->prepare(frame, slot(frame), parameterization_->views());
   });
-  last_ = {lookup_sets_.layout(), lookup_set(frame), receiver_bindings(frame), options_.width, options_.height};
+  last_ = {lookup_sets_.layout(), lookup_set(frame), receiver_bindings(frame), options_.width, options_.height, shared_kind(frame.light.kind)};
   parameterization_->refine(frame, last_, recorder, [&] { draw(frame, recorder); });
 }
 
@@ -169,7 +169,7 @@ std::vector<std::string> MapTechnique::lookup_includes() const {
 
 std::vector<uint32_t> MapTechnique::lookup_constants() const {
   if (!built_for_) return {};
-  return {*built_for_ == LightKind::point, 0, storage_->lookup_constant(), parameterization_->lookup_constant()};
+  return {shared_kind(*built_for_), 0, storage_->lookup_constant(), parameterization_->lookup_constant()};
 }
 
 std::optional<OracleRays> MapTechnique::oracle_rays(const Frame& frame) {
@@ -178,7 +178,7 @@ std::optional<OracleRays> MapTechnique::oracle_rays(const Frame& frame) {
   const gpu::ComputePass pass(
       device_, oracle_shader(spec_.parameterization),
       {uniform_buffer, sampled_image, sampled_image, storage_buffer, storage_buffer, storage_buffer}, 0,
-      std::span(&lookup_layout, 1), {frame.light.kind == LightKind::point});
+      std::span(&lookup_layout, 1), {shared_kind(frame.light.kind)});
   const size_t pixels = size_t{options_.width} * options_.height;
   const uint64_t bytes = pixels * sizeof(glm::vec3);
   const gpu::Buffer origins(device_, "oracle origins", bytes), texel_u(device_, "oracle texels", bytes),
@@ -201,8 +201,7 @@ std::optional<OracleRays> MapTechnique::oracle_rays(const Frame& frame) {
 }
 
 std::vector<uint32_t> MapTechnique::last_decisions() const {
-  return receiver_words(device_, decisions_shader(spec_.parameterization + "/" + spec_.storage), last_,
-                        *built_for_ == LightKind::point);
+  return receiver_words(device_, decisions_shader(spec_.parameterization + "/" + spec_.storage), last_);
 }
 
 Counters MapTechnique::counters() const {

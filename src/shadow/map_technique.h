@@ -34,7 +34,7 @@ class MapTechnique final : public Technique {
 
  private:
   uint32_t slot(const Frame& frame) const { return static_cast<uint32_t>(frame.index % options_.frames_in_flight); }
-  /// Makes map and look-up when the first frame, or a light of another kind, needs them: a point light has six faces.
+  /// Makes map and look-up when the first frame, or a light of another kind, needs them.
   void build_for(LightKind light);
   void write_lookup_sets();
   void write_constants(const Frame& frame);

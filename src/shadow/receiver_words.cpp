@@ -5,10 +5,10 @@
 namespace shadewright::shadow {
 
 std::vector<uint32_t> receiver_words(const gpu::Device& device, std::span<const uint32_t> spirv,
-                                     const ReceiverLookup& lookup, bool six_faces) {
+                                     const ReceiverLookup& lookup) {
   using enum gpu::BindingKind;
   const gpu::ComputePass pass(device, spirv, {uniform_buffer, sampled_image, sampled_image, storage_buffer}, 0,
-                              std::span(&lookup.layout, 1), {six_faces});
+                              std::span(&lookup.layout, 1), {lookup.light_kind});
   std::vector<uint32_t> words(size_t{lookup.width} * lookup.height);
   const uint64_t bytes = words.size() * sizeof(uint32_t);
   const gpu::Buffer answers(device, "answers of receivers", bytes);

@@ -22,9 +22,9 @@ Receiver receiver_at(ivec2 pixel) {
   if (r.background) return r;
   r.world = camera_surface(camera, pixel, depth);
   r.normal = octahedral_decode(texelFetch(camera_normal, pixel, 0).rg);
-  vec3 to_light = lookup.light_kind == light_directional ? -lookup.light_direction : lookup.light_position - r.world;
+  vec3 to_light = light_kind() == light_directional ? -lookup.light_direction : lookup.light_position - r.world;
   r.facing = dot(r.normal, to_light) > 0.0;
-  if (lookup.light_kind == light_spot)
+  if (light_kind() == light_spot)
     r.facing = r.facing && dot(normalize(-to_light), lookup.light_direction) >= lookup.light_cos_outer;
   return r;
 }

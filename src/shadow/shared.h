@@ -18,7 +18,7 @@ struct MapViewData {
 };
 const uint max_map_views = 8;
 
-const uint light_directional = 0, light_spot = 1, light_point = 2;
+const uint light_directional = 0, light_spot = 1, light_point = 2, light_any = 3;
 
 /// How a sub-pixel map codes slopes and depth. `exponent` is the paper's n.
 struct SlopeCoding {

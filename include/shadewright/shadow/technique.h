@@ -113,7 +113,7 @@ class Technique {
   /// Macros to define before those. From the first prepared frame on.
   virtual std::vector<std::string> lookup_defines() const { return {}; }
   /// Values of the specialization constants 0, 1, ... that they use, for the light of the last prepared frame.
-  /// Constants of maps (0: whether the light has six faces; 2 and 3: choices of the storage's and of the
+  /// Constants of maps (0: the light's kind; 2 and 3: choices of the storage's and of the
   /// parameterization's) may stay unset: then the shader serves any light and asks for these at run time, which is
   /// slower. That of "precomputed" holds its filter's size, which is 1 voxel where it stays unset. A shader's own
   /// constants begin at 4.

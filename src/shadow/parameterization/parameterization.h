@@ -9,6 +9,7 @@
 
 #include "shadewright/gpu/pass.h"
 #include "shadewright/shadow/technique.h"
+#include "shadow/shared.h"
 
 namespace shadewright::shadow {
 
@@ -28,6 +29,7 @@ struct ReceiverLookup {
   vk::DescriptorSet set;
   std::vector<gpu::Binding> receivers;  ///< bindings 0, 1, 2 of set 0
   uint32_t width = 0, height = 0;
+  uint32_t light_kind = shared::light_any;  ///< specialization constant 0 of look-ups
 };
 
 /// The size of a map, texels and layers.

@@ -42,6 +42,7 @@ layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 0, scalar) uniform Precomputed {
   PrecomputedData precomputed;
 };
 #endif
+uint light_kind() { return lookup.light_kind; }
 layout(set = SHADEWRIGHT_LOOKUP_SET, binding = 1, scalar) uniform Rows { ReceiverRows rows; };
 
 #if defined(PRECOMPUTED_IMAGE)
@@ -217,7 +218,7 @@ bool voxel_at(real px, real py, real pz, out ivec3 voxel, out vec3 within) {
   precise real qx = (vx.x * px + vx.y * py) + (vx.z * pz + vx.w);
   precise real qy = (vy.x * px + vy.y * py) + (vy.z * pz + vy.w);
   precise real qz = (vz.x * px + vz.y * py) + (vz.z * pz + vz.w);
-  if (lookup.light_kind == light_spot) {
+  if (light_kind() == light_spot) {
     precise real w = (vw.x * px + vw.y * py) + (vw.z * pz + vw.w);
     if (!(w > real(0.0))) return false;
     qx = qx / w;
@@ -241,7 +242,7 @@ bool voxel_at(real px, real py, real pz, out ivec3 voxel) {
 real spot_distance(real px, real py, real pz) {
   real4 vw = rows.voxel[3];
   precise real w = (vw.x * px + vw.y * py) + (vw.z * pz + vw.w);
-  return lookup.light_kind == light_spot ? w : real(1.0);
+  return light_kind() == light_spot ? w : real(1.0);
 }
 
 // The voxel of a receiver moved along its normal, so that no tap of its filter reaches below its own plane.
@@ -261,7 +262,7 @@ bool receiver_voxel(vec3 world, vec3 normal, out ivec3 voxel) {
 }
 
 vec3 towards_light(vec3 world) {
-  return lookup.light_kind == light_spot ? normalize(lookup.light_position - world) : -lookup.light_direction;
+  return light_kind() == light_spot ? normalize(lookup.light_position - world) : -lookup.light_direction;
 }
 
 // The cosine between a distant receiver's normal and the light, but for grazing ones.
@@ -288,7 +289,7 @@ float receiver_footprint(vec3 world, vec3 normal) {
   vec3 ray = normalize(from_eye);
   vec2 texel = precomputed.texel_size;
   vec3 light = lookup.light_direction;
-  if (lookup.light_kind == light_spot) {
+  if (light_kind() == light_spot) {
     vec3 from_light = world - lookup.light_position;
     texel *= dot(from_light, light);
     light = normalize(from_light);

@@ -8,6 +8,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 3, scalar) writeonly buffer Positions { vec3 positions[]; };
 layout(set = 0, binding = 4, scalar) writeonly buffer Normals { vec3 normals[]; };  // zero: does not face the light
 layout(set = 0, binding = 5, scalar) uniform Lookup { LookupData lookup; };
+uint light_kind() { return lookup.light_kind; }
 #include "shadow/receivers.glsl"
 
 void main() {

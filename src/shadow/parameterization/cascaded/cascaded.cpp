@@ -210,7 +210,7 @@ Picture Cascaded::debug_picture(std::string_view, const ReceiverLookup& lookup) 
                                                                   {170, 170, 170, 255}}};
   const glm::u8vec4 none{255, 0, 255, 255}, background{20, 20, 20, 255};
   Picture picture{lookup.width, lookup.height, {}};
-  for (const uint32_t cascade : receiver_words(device_, shaders::show_cascades_comp, lookup, false))
+  for (const uint32_t cascade : receiver_words(device_, shaders::show_cascades_comp, lookup))
     picture.pixels.push_back(cascade < cascades_               ? colors[cascade]
                              : cascade == shared::max_cascades ? none
                                                                : background);

@@ -168,7 +168,7 @@ void main() {
       uint side = silhouette_bits(normals, offsets, light, facing) | (closed ? triangle_averted : 0);
 #else
       const uint side = 0;
-      if (closed && lookup.light_kind == light_directional && averted(world[0], world[1], world[2], mirrored ? -1.0 : 1.0)) continue;
+      if (closed && light_kind() == light_directional && averted(world[0], world[1], world[2], mirrored ? -1.0 : 1.0)) continue;
 #endif
       if (!map_triangle(q, near, triangle)) continue;
       for (int k = 0; k < 3; ++k) corners[3 * (part.first_triangle + t) + k] = q[k];

@@ -135,8 +135,10 @@ MapExtent Paged::map_extent(LightKind) const {
 
 std::unique_ptr<CasterDraws> Paged::make_caster_draws(LightKind light, uint32_t) {
   make_tables(light);
+  list_ = {};
+  requests_pass_ = {};
   if (bins_superpages_) return std::make_unique<SuperpageCasterDraws>(device_, *this, frames_in_flight_);
-  return std::make_unique<PagedCasterDraws>(device_, *this, light == LightKind::point);
+  return std::make_unique<PagedCasterDraws>(device_, *this, light);
 }
 
 void Paged::make_tables(LightKind light) {
@@ -167,8 +169,6 @@ void Paged::make_tables(LightKind light) {
   }
   table_is_void_ = true;
   scan_ = gpu::Scan(device_, words);
-  list_ = {};
-  requests_pass_ = {};
 }
 
 void Paged::prepare(const Frame& frame, gpu::Recorder& recorder) {
@@ -265,7 +265,7 @@ std::vector<gpu::Binding> Paged::lookup_bindings(uint32_t slot) const {
 void Paged::refine(const Frame& frame, const ReceiverLookup& lookup, gpu::Recorder& recorder,
                    const std::function<void()>& draw) {
   if (!waits()) return;
-  make_passes(lookup.layout);
+  make_passes(lookup);
   iterations_ = raw_requests_ = unique_requests_ = pages_drawn_ = 0;
   superpage_count_ = 0;
   list_counts_ = {};
@@ -303,7 +303,7 @@ void Paged::find_requests(const Frame& frame, const ReceiverLookup& lookup, gpu:
 void Paged::find_list(const Frame& frame, const ReceiverLookup& lookup, gpu::Recorder& recorder) {
   if (!list_)
     list_ = RequestList(device_, {frame.camera.width, frame.camera.height, spec_.filter == "trilinear" ? 2u : 1u,
-                                  words_ * 32 * faces_, uniquify_, on_host_, edges_, lookup.layout, faces_ == 6});
+                                  words_ * 32 * faces_, uniquify_, on_host_, edges_, lookup.layout, lookup.light_kind});
   const RequestMasks masks{requested_, requested_or_finer_, state_};
   list_.find(lookup, masks, recorder);
   recorder.stage("page requests",
@@ -328,7 +328,7 @@ void Paged::record_seed(const vk::raii::CommandBuffer& commands) const {
 }
 
 void Paged::record(const Frame& frame, const ReceiverLookup& lookup, gpu::Recorder& recorder) {
-  make_passes(lookup.layout);
+  make_passes(lookup);
   if (!waits()) find_requests(frame, lookup, recorder, 0);
   if (!edges_ && !bins_superpages_)
     recorder.stage("page allocation",
@@ -338,23 +338,22 @@ void Paged::record(const Frame& frame, const ReceiverLookup& lookup, gpu::Record
                    [&](const vk::raii::CommandBuffer& commands) { record_statistics(used_, lookup, commands); });
 }
 
-void Paged::make_passes(vk::DescriptorSetLayout lookup_layout) {
+void Paged::make_passes(const ReceiverLookup& lookup) {
   if (requests_pass_) return;
   using enum gpu::BindingKind;
-  const std::span layouts(&lookup_layout, 1);
-  const bool six_faces = faces_ == 6;
+  const std::span layouts(&lookup.layout, 1);
   const auto of_pixels = [&](std::span<const uint32_t> spirv, size_t buffers) {
     std::vector kinds{uniform_buffer, sampled_image, sampled_image};
     kinds.insert(kinds.end(), buffers, storage_buffer);
-    return gpu::ComputePass(device_, spirv, kinds, 0, layouts, {six_faces});
+    return gpu::ComputePass(device_, spirv, kinds, 0, layouts, {lookup.light_kind});
   };
   requests_pass_ = of_pixels(shaders::page_requests_comp, 3);
   if (edges_) edges_pass_ = of_pixels(shaders::page_edges_comp, 3);
   statistics_pass_ = of_pixels(shaders::page_statistics_comp, 2);
   allocate_pass_ =
-      gpu::ComputePass(device_, shaders::page_allocate_comp, std::vector(9, storage_buffer), 0, layouts, {six_faces});
+      gpu::ComputePass(device_, shaders::page_allocate_comp, std::vector(9, storage_buffer), 0, layouts, {lookup.light_kind});
   invalidate_pass_ = gpu::ComputePass(device_, shaders::page_invalidate_comp, {storage_buffer, storage_buffer}, 0,
-                                      layouts, {six_faces});
+                                      layouts, {lookup.light_kind});
 }
 
 void Paged::empty_requests(const vk::raii::CommandBuffer& commands) {
@@ -476,7 +475,7 @@ Counters Paged::counters() const {
 Picture Paged::debug_picture(std::string_view name, const ReceiverLookup& lookup) {
   if (name == "page-use") return page_use(lookup);
   Picture picture{lookup.width, lookup.height, {}};
-  for (const uint32_t word : receiver_words(device_, shaders::page_picture_comp, lookup, faces_ == 6))
+  for (const uint32_t word : receiver_words(device_, shaders::page_picture_comp, lookup))
     picture.pixels.push_back(std::bit_cast<glm::u8vec4>(word));
   return picture;
 }
@@ -484,7 +483,7 @@ Picture Paged::debug_picture(std::string_view name, const ReceiverLookup& lookup
 Picture Paged::page_use(const ReceiverLookup& lookup) const {
   using enum gpu::BindingKind;
   const gpu::ComputePass pass(device_, shaders::page_use_comp, {storage_buffer, storage_buffer}, 0,
-                              std::span(&lookup.layout, 1), {faces_ == 6});
+                              std::span(&lookup.layout, 1), {lookup.light_kind});
   const uint32_t side = 1u << top_;
   Picture picture{side + side / 2, side * faces_, {}};
   picture.pixels.resize(size_t{picture.width} * picture.height);

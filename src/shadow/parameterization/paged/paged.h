@@ -77,7 +77,7 @@ class Paged final : public Parameterization {
   /// True if all that receives still falls inside the map.
   bool fits(const Frame& frame) const;
   void write_constants(const Frame& frame);
-  void make_passes(vk::DescriptorSetLayout lookup_layout);
+  void make_passes(const ReceiverLookup& lookup);
   /// True if the host must know what the device has found before it can go on.
   bool waits() const { return edges_ || listed_ || bins_superpages_; }
   /// Marks the pages that the frame's pixels ask for: the `iteration`th time, of refine=edges.

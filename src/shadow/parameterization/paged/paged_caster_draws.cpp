@@ -16,6 +16,7 @@
 #include "shaders/page_small_frag.h"
 #include "shaders/page_whole_casters_vert.h"
 #include "shadewright/error.h"
+#include "shadow/lookup_data.h"
 #include "shadow/lookup_shaders.h"
 #include "shadow/parameterization/paged/paged.h"
 #include "shadow/storage/subpixel/shared.h"
@@ -32,8 +33,8 @@ constexpr uint32_t rounds = 8;
 
 }  // namespace
 
-PagedCasterDraws::PagedCasterDraws(const gpu::Device& device, const Paged& paged, bool six_faces)
-    : device_(device), paged_(paged), six_faces_(six_faces) {
+PagedCasterDraws::PagedCasterDraws(const gpu::Device& device, const Paged& paged, LightKind light)
+    : device_(device), paged_(paged), light_(light) {
   MapView pool;
   pool.viewport = vk::Rect2D({0, 0}, {paged.pool_texels(), paged.pool_texels()});
   rounds_.assign(rounds, pool);
@@ -75,7 +76,7 @@ void PagedCasterDraws::make_pipelines(const gpu::Device& device, const CasterPip
   const auto pass = [&](std::span<const uint32_t> spirv, size_t buffers,
                         std::span<const vk::DescriptorSetLayout> sets) {
     return gpu::ComputePass(device_, spirv, std::vector(buffers, storage_buffer), sizeof(constants_), sets,
-                            {six_faces_});
+                            {shared_kind(light_)});
   };
   cull_pass_ = pass(shaders::page_cull_comp, 6, layouts);
   groups_pass_ = pass(shaders::page_bin_groups_comp, 1, {});
@@ -90,7 +91,7 @@ void PagedCasterDraws::prepare(const Frame& frame, uint32_t, std::span<const Map
   constants_.kinds = static_cast<uint32_t>(frame.casters);
   if (!frame.scene || scene_ == frame.scene) return;
   scene_ = frame.scene;
-  const uint64_t faces = six_faces_ ? 6 : 1;
+  const uint64_t faces = light_ == LightKind::point ? 6 : 1;
   const uint64_t clusters =
       std::min(scene_->list_capacity() * faces, gpu::max_binding_bytes / sizeof(shared::PageCluster));
   const uint64_t pairs = std::clamp(scene_->triangle_count() * pairs_per_triangle, pairs_at_least, pairs_at_most);

@@ -11,7 +11,7 @@ class Paged;
 
 class PagedCasterDraws final : public CasterDraws {
  public:
-  PagedCasterDraws(const gpu::Device& device, const Paged& paged, bool six_faces);
+  PagedCasterDraws(const gpu::Device& device, const Paged& paged, LightKind light);
 
   void make_pipelines(const gpu::Device& device, const CasterPipelineDesc& desc) override;
   /// InputError for a frame with casters of the caller's own.
@@ -31,7 +31,7 @@ class PagedCasterDraws final : public CasterDraws {
 
   const gpu::Device& device_;
   const Paged& paged_;
-  bool six_faces_;
+  LightKind light_;
   std::vector<MapView> rounds_;
   const render::SceneGpu* scene_ = nullptr;  ///< whom the buffers were made for
   shared::BinConstants constants_{};

@@ -43,7 +43,7 @@ RequestList::RequestList(const gpu::Device& device, const RequestListDesc& desc)
   list_pass_ = gpu::ComputePass(
       device, list,
       {uniform_buffer, sampled_image, sampled_image, storage_buffer, storage_buffer, storage_buffer, storage_buffer}, 0,
-      std::span(&desc.lookup_layout, 1), {desc.six_faces});
+      std::span(&desc.lookup_layout, 1), {desc.light_kind});
   mark_pass_ = gpu::ComputePass(device, shaders::page_mark_comp,
                                 {uniform_buffer, storage_buffer, storage_buffer, storage_buffer}, sizeof(MarkPush));
   if (desc.uniquify >= Uniquify::components) {

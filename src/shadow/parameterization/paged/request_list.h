@@ -27,7 +27,7 @@ struct RequestListDesc {
   bool on_host = false;  ///< the host makes unique what is left
   bool edges = false;    ///< only pixels on coarse shadows' edges ask
   vk::DescriptorSetLayout lookup_layout;
-  bool six_faces = false;
+  uint32_t light_kind = shared::light_any;
 };
 
 /// Lengths of the list on its way; 0 for what is not known because the step was left out.

@@ -7,18 +7,13 @@
 #include "render/shared.h"
 #include "shaders/show_aliasing_comp.h"
 #include "shaders/visible_comp.h"
+#include "shadow/lookup_data.h"
 #include "shadow/receiver_words.h"
 #include "shadow/shared.h"
 
 namespace shadewright::shadow {
 
 namespace {
-
-uint32_t shared_kind(LightKind kind) {
-  return kind == LightKind::directional ? shared::light_directional
-         : kind == LightKind::spot      ? shared::light_spot
-                                        : shared::light_point;
-}
 
 /// From blue, a texel of a sixteenth of a pixel, over white, one of a pixel, to red, sixteen pixels.
 glm::u8vec4 aliasing_color(float size) {
@@ -39,10 +34,6 @@ Perspective::Perspective(const gpu::Device& device, uint32_t resolution, const P
       plain_(device, resolution, "view"),
       grid_(tile_grid(width, height)) {
   if (!options.from_buffers) return;
-  using enum gpu::BindingKind;
-  reduce_ =
-      gpu::ComputePass(device, shaders::visible_comp, {uniform_buffer, sampled_image, sampled_image, storage_buffer},
-                       sizeof(shared::TileConstants));
   sampler_ = gpu::make_sampler(device, vk::Filter::eNearest);
   camera_ = gpu::Buffer(device, "perspective camera", sizeof(shared::CameraData), gpu::HostAccess::write);
   tiles_ = gpu::Buffer(device, "visible tiles", grid_.columns * grid_.rows * sizeof(shared::VisibleTile),
@@ -55,16 +46,26 @@ void Perspective::prepare(const Frame& frame, gpu::Recorder& recorder) {
   recorder.cpu_stage("perspective", [&] { choose_views(frame, receivers); });
 }
 
+void Perspective::make_reduction(LightKind light) {
+  if (reduces_for_ == light) return;
+  device_.handle().waitIdle();  // an earlier frame may still use the old one
+  using enum gpu::BindingKind;
+  reduce_ =
+      gpu::ComputePass(device_, shaders::visible_comp, {uniform_buffer, sampled_image, sampled_image, storage_buffer},
+                       sizeof(shared::TileConstants), {}, {shared_kind(light)});
+  reduces_for_ = light;
+}
+
 Receivers Perspective::find_receivers(const Frame& frame, gpu::Recorder& recorder) {
   Receivers receivers;
   if (!options_.from_buffers) {
     recorder.cpu_stage("receivers", [&] { receivers = bounded_receivers(frame); });
     return receivers;
   }
+  make_reduction(frame.light.kind);
   camera_.mapped<shared::CameraData>()[0] = render::camera_data(frame.camera);
   const shared::TileConstants constants{grid_.side,
                                         glm::uvec2(grid_.columns, grid_.rows),
-                                        shared_kind(frame.light.kind),
                                         static_cast<float>(std::cos(frame.light.outer_angle)),
                                         glm::vec3(frame.light.position),
                                         glm::vec3(frame.light.direction)};
@@ -132,7 +133,7 @@ std::vector<Allocation> Perspective::allocations() const {
 
 Picture Perspective::debug_picture(std::string_view, const ReceiverLookup& lookup) {
   Picture picture{lookup.width, lookup.height, {}};
-  for (const uint32_t word : receiver_words(device_, shaders::show_aliasing_comp, lookup, views_.size() > 1))
+  for (const uint32_t word : receiver_words(device_, shaders::show_aliasing_comp, lookup))
     picture.pixels.push_back(aliasing_color(std::bit_cast<float>(word)));
   return picture;
 }

@@ -48,6 +48,8 @@ class Perspective final : public Parameterization {
   Picture debug_picture(std::string_view, const ReceiverLookup& lookup) override;
 
  private:
+  /// Makes the pass over the camera's buffers for the first frame, or a light of another kind.
+  void make_reduction(LightKind light);
   Receivers find_receivers(const Frame& frame, gpu::Recorder& recorder);
   void choose_views(const Frame& frame, const Receivers& receivers);
 
@@ -59,6 +61,7 @@ class Perspective final : public Parameterization {
   std::vector<MapView> views_;
   Counters counters_;
   gpu::ComputePass reduce_;
+  std::optional<LightKind> reduces_for_;
   vk::raii::Sampler sampler_{nullptr};
   gpu::Buffer camera_, tiles_;
 };

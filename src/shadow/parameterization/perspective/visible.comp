@@ -14,6 +14,7 @@ layout(binding = 1) uniform sampler2D camera_depth;
 layout(binding = 2) uniform sampler2D camera_normal;
 layout(binding = 3, scalar) writeonly buffer Tiles { VisibleTile tiles[]; };
 layout(push_constant, scalar) uniform Push { TileConstants constants; };
+layout(constant_id = 0) const uint light_kind = light_directional;
 
 // What the look-up calls facing must not be missed for the order of its arithmetic.
 const float facing_slack = 1e-4;
@@ -23,7 +24,7 @@ vec3 low = vec3(1.0 / 0.0), high = vec3(-1.0 / 0.0);
 
 // Distance from the light along the axis of its map; negative for what a spot does not reach.
 float axis_distance(vec3 from_light) {
-  if (constants.light_kind == light_point) {
+  if (light_kind == light_point) {
     vec3 a = abs(from_light);
     return max(a.x, max(a.y, a.z));
   }
@@ -35,7 +36,7 @@ void take(ivec2 pixel, float depth, vec2 encoded_normal) {
   if (depth == camera.background_depth) return;
   vec3 normal = octahedral_direction(encoded_normal);
   vec3 world = camera_surface(camera, min(pixel, ivec2(camera.size) - 1), depth);
-  if (constants.light_kind == light_directional) {
+  if (light_kind == light_directional) {
     if (dot(normal, constants.light_direction) > facing_slack) return;
   } else {
     vec3 from_light = world - constants.light_position;

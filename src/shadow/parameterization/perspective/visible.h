@@ -11,7 +11,6 @@ namespace shadewright::shared {
 struct TileConstants {
   uint side;    // of a tile, pixels, even
   uvec2 tiles;  // columns and rows of them
-  uint light_kind;
   float light_cos_outer;
   vec3 light_position;
   vec3 light_direction;

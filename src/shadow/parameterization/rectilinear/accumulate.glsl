@@ -18,7 +18,7 @@ float noise(ivec2 pixel) {
 // One sample, at `whole`. `add`: it stands in the sums too.
 void accumulate(ivec2 pixel, vec2 whole, vec2 value, bool add) {
   // Looking before an atomic maximum: most samples raise nothing.
-  if (constants.map_size != 0) {
+  if (two_dimensional) {
     uvec2 cell = min(uvec2(whole * float(constants.map_size)), constants.map_size - 1);
     uint at = cell.y * constants.map_size + cell.x, bits = floatBitsToUint(max(value.x, value.y));
     if (importance_map[at] < bits) atomicMax(importance_map[at], bits);
@@ -26,7 +26,7 @@ void accumulate(ivec2 pixel, vec2 whole, vec2 value, bool add) {
   for (uint axis = 0; axis < 2; ++axis) {
     uint bin = axis * importance_bins + min(uint(whole[axis] * importance_bins), importance_bins - 1);
     uint bits = floatBitsToUint(value[axis]);
-    if (constants.map_size == 0 && accumulated.greatest[bin] < bits) atomicMax(accumulated.greatest[bin], bits);
+    if (!two_dimensional && accumulated.greatest[bin] < bits) atomicMax(accumulated.greatest[bin], bits);
     if (add) {
       // Rounded at random, so that small values count too.
       uint whole_number = uint(value[axis] * constants.sum_scale + noise(pixel));

@@ -6,6 +6,7 @@
 #include "shadow/map_point.glsl"
 #include "shadow/receivers.glsl"
 #include "shadow/parameterization/rectilinear/shared.h"
+#include "shadow/parameterization/rectilinear/known.glsl"
 #include "shadow/parameterization/rectilinear/importance.glsl"
 #include "shadow/parameterization/rectilinear/accumulate.glsl"
 
@@ -42,15 +43,15 @@ void main() {
   r.world = map_unproject_view(map_views[0], map.xy, depth);
   vec4 clip = camera.clip_from_relative * vec4(r.world - camera.eye, 1.0);
   bool in_view = clip.w > 0.0 && all(lessThanEqual(abs(clip.xy), vec2(clip.w)));
-  if ((constants.functions & importance_view) != 0 && !in_view) return;
+  if ((functions & importance_view) != 0 && !in_view) return;
   float step = 1.0 / float(constants.image_size);
   r.normal = normalize(cross(map_unproject_view(map_views[0], map.xy + vec2(step, 0.0), depth + slope.x) - r.world,
                              map_unproject_view(map_views[0], map.xy + vec2(0.0, step), depth + slope.y) - r.world));
-  vec3 ray = lookup.light_kind == light_directional ? lookup.light_direction : r.world - lookup.light_position;
+  vec3 ray = light_kind() == light_directional ? lookup.light_direction : r.world - lookup.light_position;
   if (dot(r.normal, ray) > 0.0) r.normal = -r.normal;
   Orientation o = chosen_orientation();
   float view_depth = max(clip.w, camera_view_depth(camera, 1.0 - camera.background_depth));
   vec2 value = importance(camera, view_depth, r, map, o, constants);
-  if ((constants.functions & importance_edges) != 0) value *= edge ? 1.0 : constants.flat_weight;
+  if ((functions & importance_edges) != 0) value *= edge ? 1.0 : constants.flat_weight;
   accumulate(texel, whole_of(o, map.xy), value, true);
 }

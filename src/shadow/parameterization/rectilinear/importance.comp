@@ -7,6 +7,7 @@
 #include "shadow/map_point.glsl"
 #include "shadow/receivers.glsl"
 #include "shadow/parameterization/rectilinear/shared.h"
+#include "shadow/parameterization/rectilinear/known.glsl"
 #include "shadow/parameterization/rectilinear/importance.glsl"
 #include "shadow/parameterization/rectilinear/accumulate.glsl"
 
@@ -23,7 +24,7 @@ void sample_pixel(ivec2 pixel, Orientation o, bool add) {
   vec4 q = map_first_view.map_from_world * vec4(r.world, 1.0);
   vec3 map = q.xyz / q.w;
   vec2 value = importance(camera, camera_view_depth(camera, texelFetch(camera_depth, pixel, 0).r), r, map, o, constants);
-  if ((constants.functions & importance_edges) != 0) {
+  if ((functions & importance_edges) != 0) {
     uvec2 texel = min(uvec2(clamp(map.xy, 0.0, 1.0) * float(constants.image_size)), constants.image_size - 1);
     value *= edges[texel.y * constants.image_size + texel.x] != 0 ? 1.0 : constants.flat_weight;
   }
@@ -47,7 +48,7 @@ void main() {
       depths.y = max(depths.y, max(max(high.x, high.y), max(high.z, high.w)));
     }
   bool seen = depths.x <= depths.y && all(lessThan(first, size));
-  if (seen && (constants.collapse == collapse_max || constants.map_size != 0))
+  if (seen && (collapse == collapse_max || two_dimensional))
     for (int i = 0; i < tile * tile; ++i) sample_pixel(min(first + ivec2(i % tile, i / tile), size - 1), o, false);
   if (seen) {
     sample_pixel(min(first + tile / 2, size - 1), o, true);

@@ -32,10 +32,10 @@ vec2 pixels_a_step(CameraData camera, vec3 world, vec3 normal, vec3 ray, vec3 ma
 
 vec2 importance(CameraData camera, float view_depth, Receiver r, vec3 map, Orientation o, WarpConstants constants) {
   vec2 product = vec2(1.0);
-  if ((constants.functions & importance_distance) != 0) product *= distance_to_eye(camera, view_depth);
-  if ((constants.functions & importance_normal) != 0) product *= surface_normal(r.normal, camera.eye - r.world, constants.normal_weight);
-  if ((constants.functions & importance_pixels) != 0) {
-    vec3 ray = lookup.light_kind == light_directional ? lookup.light_direction : r.world - lookup.light_position;
+  if ((functions & importance_distance) != 0) product *= distance_to_eye(camera, view_depth);
+  if ((functions & importance_normal) != 0) product *= surface_normal(r.normal, camera.eye - r.world, constants.normal_weight);
+  if ((functions & importance_pixels) != 0) {
+    vec3 ray = light_kind() == light_directional ? lookup.light_direction : r.world - lookup.light_position;
     product *= pixels_a_step(camera, r.world, r.normal, ray, map, o);
   }
   return product;

@@ -8,6 +8,7 @@
 #include "shadow/map_point.glsl"
 #include "shadow/receivers.glsl"
 #include "shadow/parameterization/rectilinear/shared.h"
+#include "shadow/parameterization/rectilinear/known.glsl"
 #include "shadow/parameterization/rectilinear/importance.glsl"
 #include "shadow/parameterization/rectilinear/accumulate.glsl"
 
@@ -64,9 +65,9 @@ void main() {
       maxima += most;
       if (most > 0.0) by_maxima += sum / most;
     }
-    float uniform_error = total * float(bins), warped_error = constants.collapse == collapse_sum ? roots * roots : by_maxima * maxima;
+    float uniform_error = total * float(bins), warped_error = collapse == collapse_sum ? roots * roots : by_maxima * maxima;
     // Pixels a step are of the whole, which the orientation scales; the other functions are not.
-    float unit = (constants.functions & importance_pixels) != 0 ? 1.0 : o.size[me];
+    float unit = (functions & importance_pixels) != 0 ? 1.0 : o.size[me];
     errors[me] = min(uniform_error, warped_error) * size[me] * unit;
   }
   barrier();

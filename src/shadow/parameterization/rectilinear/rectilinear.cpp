@@ -83,6 +83,15 @@ Rectilinear::Rectilinear(const gpu::Device& device, const Spec& spec, const Tech
     throw InputError(spec.text,
                      fmt::format("tessellated casters write depth, not what storage '{}' keeps", spec.storage),
                      "leave tessellation out, or choose depth storage");
+  const auto add = [&](const char* key, uint32_t function) {
+    if (spec_.choice(key) == "on") functions_ |= function;
+  };
+  add("dv", shared::importance_view);
+  add("de", shared::importance_distance);
+  add("sn", shared::importance_normal);
+  add("px", shared::importance_pixels);
+  if (light_image_ && spec_.choice("se") != "off") functions_ |= shared::importance_edges;
+  collapse_mode_ = spec_.choice("collapse") == "sum" ? shared::collapse_sum : shared::collapse_max;
   accumulated_ = gpu::Buffer(device, "importance", sizeof(shared::Importance));
   const uint64_t image_texels = light_image_ ? uint64_t{light_image_->size()} * light_image_->size() : 1;
   edges_ = gpu::Buffer(device, "shadow edges", image_texels * sizeof(uint32_t));
@@ -94,7 +103,8 @@ Rectilinear::Rectilinear(const gpu::Device& device, const Spec& spec, const Tech
   figures_ = gpu::Buffer(device, "warp figures", sizeof(shared::WarpFigures), gpu::HostAccess::read);
   collapse_ = gpu::ComputePass(device, shaders::collapse_comp, {uniform_buffer, storage_buffer, storage_buffer});
   build_ = gpu::ComputePass(device, shaders::warp_comp,
-                            {uniform_buffer, storage_buffer, storage_buffer, storage_buffer, storage_buffer});
+                            {uniform_buffer, storage_buffer, storage_buffer, storage_buffer, storage_buffer}, 0, {},
+                            {0, functions_, collapse_mode_});
   unwarp_ = gpu::ComputePass(device, shaders::unwarp_comp, {storage_buffer, storage_buffer});
 }
 
@@ -120,18 +130,9 @@ void Rectilinear::fit(const Frame& frame) {
   for (uint32_t i = 0; i < constants.orientation_count; ++i)
     constants.orientations[i] = orientation(0.5 * std::numbers::pi * i / shared::max_orientations, plane_points, map);
 
-  const auto add = [&](const char* key, uint32_t function) {
-    if (spec_.choice(key) == "on") constants.functions |= function;
-  };
-  add("dv", shared::importance_view);
-  add("de", shared::importance_distance);
-  add("sn", shared::importance_normal);
-  add("px", shared::importance_pixels);
-  if (light_image_ && spec_.choice("se") != "off") constants.functions |= shared::importance_edges;
   constants.forward = backward_ ? 0 : 1;
   constants.image_size = light_image_ ? light_image_->size() : 1;
   constants.map_size = two_dimensional_ ? cells_ : 0;
-  constants.collapse = spec_.choice("collapse") == "sum" ? shared::collapse_sum : shared::collapse_max;
   constants.normal_weight = static_cast<float>(spec_.number("beta"));
   constants.flat_weight = weight_without_edge;
   constants.cells = cells_;
@@ -162,16 +163,21 @@ void Rectilinear::prepare(const Frame& frame, gpu::Recorder& recorder) {
 }
 
 void Rectilinear::make_passes(const ReceiverLookup& receivers) {
-  if (passes_made_) return;
+  if (analyses_for_ == receivers.light_kind) return;
+  device_.handle().waitIdle();  // an earlier frame may still use the old ones
   using enum gpu::BindingKind;
   std::vector<gpu::BindingKind> kinds = {uniform_buffer, sampled_image,  sampled_image, uniform_buffer,
                                          storage_buffer, storage_buffer, storage_buffer};
   const std::span sets(&receivers.layout, 1);
-  orient_ = gpu::ComputePass(device_, shaders::orient_comp, kinds, 0, sets);
-  importance_ = gpu::ComputePass(device_, shaders::importance_comp, kinds, 0, sets);
+  const auto pass = [&](std::span<const uint32_t> spirv) {
+    return gpu::ComputePass(device_, spirv, kinds, 0, sets,
+                            {receivers.light_kind, functions_, collapse_mode_, two_dimensional_});
+  };
+  orient_ = pass(shaders::orient_comp);
+  importance_ = pass(shaders::importance_comp);
   kinds.push_back(sampled_image);
-  forward_ = gpu::ComputePass(device_, shaders::forward_comp, kinds, 0, sets);
-  passes_made_ = true;
+  forward_ = pass(shaders::forward_comp);
+  analyses_for_ = receivers.light_kind;
 }
 
 void Rectilinear::record_analysis(const Frame& frame, const ReceiverLookup& receivers, gpu::Recorder& recorder) {

@@ -24,7 +24,7 @@ const uint max_orientations = 32, orientation_samples = 64;  // an axis of the p
 /// How finely importance is accumulated along the whole of an axis; super-cells are cut from these.
 const uint importance_bins = 4096, max_cells = 2048, max_cut_segments = 64;
 
-/// Importance functions, as bits.
+/// Importance functions, as bits of the specialization constant `functions` (known.glsl).
 const uint importance_distance = 1, importance_normal = 2, importance_pixels = 4, importance_edges = 8,
            importance_view = 16;
 /// From the importance of a row to its share of the map.
@@ -34,8 +34,6 @@ const uint collapse_max = 0, collapse_sum = 1;
 struct WarpConstants {
   Orientation orientations[max_orientations];
   uint orientation_count;
-  uint functions;
-  uint collapse;
   float normal_weight;  // of importance_normal
   float flat_weight;    // of importance_edges, where there is no edge
   uint cells;

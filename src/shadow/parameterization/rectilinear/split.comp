@@ -45,7 +45,7 @@ uint kind_of(VisibleInstance instance, ClusterData cluster) {
   if (!bounds.in_front) return bent;
   if (any(greaterThan(low, vec2(1.0))) || any(lessThan(high, vec2(0.0)))) return dropped;
   vec2 edge = high - low;
-  if (lookup.light_kind == light_directional) {
+  if (light_kind() == light_directional) {
     // The largest stretch of the instance: of a matrix of rotation and scale exact, else no less.
     mat3 linear = mat3(instance.world_from_mesh_rows[0].xyz, instance.world_from_mesh_rows[1].xyz, instance.world_from_mesh_rows[2].xyz);  // transposed
     mat3 squared = linear * transpose(linear);

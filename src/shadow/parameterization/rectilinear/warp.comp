@@ -11,6 +11,7 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 #include "shadow/parameterization/rectilinear/shared.h"
+#include "shadow/parameterization/rectilinear/known.glsl"
 
 layout(local_size_x = 256) in;
 layout(binding = 0, scalar) uniform Constants { WarpConstants constants; };
@@ -32,7 +33,7 @@ shared float raw[max_cells], values[max_cells], totals[threads];
 // The useful part of the axis, of the whole's [0, 1]. All of it where nothing receives; and in forward analysis, which does not
 // see receivers in shadow.
 vec2 useful(uint axis) {
-  if (accumulated.low_inverted[axis] == 0 || constants.forward != 0 || (constants.functions & importance_view) == 0)
+  if (accumulated.low_inverted[axis] == 0 || constants.forward != 0 || (functions & importance_view) == 0)
     return vec2(0.0, 1.0);
   float low = uintBitsToFloat(~accumulated.low_inverted[axis]), high = uintBitsToFloat(accumulated.high[axis]);
   // Float rounding of a receiver's coordinate, and a part of a texel.
@@ -162,7 +163,7 @@ void main() {
       bits = max(bits, accumulated.greatest[axis * importance_bins + bin]);
       sum += float(accumulated.sums[axis * importance_bins + bin]) * max(0.0, min(to, float(bin + 1)) - max(from, float(bin)));
     }
-    raw[k] = constants.collapse == collapse_sum ? sum : uintBitsToFloat(bits);
+    raw[k] = collapse == collapse_sum ? sum : uintBitsToFloat(bits);
     // The segments' places keep the sums until they are written.
     segments[axis * n + k].half_texel = sum;
   }
@@ -170,12 +171,12 @@ void main() {
 
   // Importance by metres: what a frame's neighbours can be blended with.
   vec2 metres = vec2(o.offset[axis] + range.x * o.size[axis], (range.y - range.x) * o.size[axis]);
-  float by_metre = constants.collapse == collapse_sum ? float(n) / metres.y : 1.0;
+  float by_metre = collapse == collapse_sum ? float(n) / metres.y : 1.0;
   float sum = 0.0;
   bool blended = constants.temporal > 0.0 && constants.history_holds != 0 && history.orientation[axis] == orientation;
   for (uint k = me; k < n; k += threads) {
     float value = values[k] * by_metre;
-    if (constants.collapse == collapse_sum) value = sqrt(value);
+    if (collapse == collapse_sum) value = sqrt(value);
     if (blended) {
       float at = (metres.x + (float(k) + 0.5) / float(n) * metres.y - history.low[axis]) / history.size[axis] * float(n);
       if (at >= 0.0 && at < float(n)) value = mix(value, history.importance[axis * max_cells + uint(at)], constants.temporal);

@@ -11,7 +11,7 @@
 vec4 light_from_mesh(vec4 world_from_mesh_rows[3]) {
   vec3 a = world_from_mesh_rows[0].xyz, b = world_from_mesh_rows[1].xyz, c = world_from_mesh_rows[2].xyz;
   vec3 bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
-  if (lookup.light_kind == light_directional) return vec4(-(mat3(bc, ca, ab) * lookup.light_direction), 0.0);
+  if (light_kind() == light_directional) return vec4(-(mat3(bc, ca, ab) * lookup.light_direction), 0.0);
   vec3 origin = vec3(world_from_mesh_rows[0].w, world_from_mesh_rows[1].w, world_from_mesh_rows[2].w);
   return vec4(mat3(bc, ca, ab) * (lookup.light_position - origin), dot(a, bc));
 }

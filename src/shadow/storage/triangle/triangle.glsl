@@ -20,7 +20,7 @@ float storage_visible(MapPoint p) {
   // From just before the receiver towards the light.
   vec3 receiver = map_unproject(p, p.uv, p.depth - lookup.bias_scale * p.tolerance);
   Ray ray = Ray(receiver, -map_ray(p, p.uv).direction);
-  float farthest = lookup.light_kind == light_directional ? 1.0 / 0.0 : distance(receiver, lookup.light_position);
+  float farthest = light_kind() == light_directional ? 1.0 / 0.0 : distance(receiver, lookup.light_position);
   int reach = lookup.triangle_reach;
   for (int y = -reach; y <= reach; ++y)
     for (int x = -reach; x <= reach; ++x) {
