@@ -59,7 +59,7 @@ void list(uint place) {
   SlopeCoding coding = lookup.slope_coding;
   uint averted = (instance.first_triangle & body_closed) != 0 ? triangle_averted : 0;
   uint count = shown ? cluster.index_count / 3 : 0, listed = 0;
-  uint small_count = 0, begin = instance.first_listed;
+  uint small_count = 0, begin = shown ? instance.first_listed : 0;  // else it is what the memory held
   for (uint from = 0; from < count; from += gl_SubgroupSize) {
     uint t = from + gl_SubgroupInvocationID;
     bool drawn = t < count;

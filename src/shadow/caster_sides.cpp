@@ -22,8 +22,7 @@ CasterSides::CasterSides(const render::SceneGpu& scene, bool compacts, bool spli
   }
   const auto pass = [&](uint32_t light_kind) {
     return gpu::ComputePass(device, shaders::caster_sides_comp, std::vector(13, gpu::BindingKind::storage_buffer),
-                            sizeof(shared::SidesConstants), std::span(&lookup_layout, 1),
-                            {light_kind, splits});
+                            sizeof(shared::SidesConstants), std::span(&lookup_layout, 1), {light_kind, splits});
   };
   directional_pass_ = pass(shared::light_directional);
   positional_pass_ = pass(shared::light_any);

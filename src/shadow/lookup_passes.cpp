@@ -16,18 +16,24 @@ uint32_t pass_count(const Spec& spec) {
   return spec.filter == "hard" ? 4 : 2;
 }
 
+uint32_t words_a_row(vk::Extent2D extent) {
+  return static_cast<uint32_t>(shared::answer_words(static_cast<int>(extent.width)));
+}
+
 }  // namespace
 
 LookupPasses::LookupPasses(const gpu::Device& device, const Spec& spec, vk::Extent2D extent,
-                           std::vector<gpu::BindingKind> kinds, vk::DescriptorSetLayout lookup_layout, uint32_t light_kind,
-                           Known known)
-    : extent_(extent) {
+                           vk::DescriptorSetLayout lookup_layout, uint32_t light_kind, Known known)
+    : extent_(extent),
+      answers_(device, "answers of receivers", uint64_t{words_a_row(extent)} * extent.height * sizeof(uint32_t)) {
+  using enum gpu::BindingKind;
+  std::vector kinds{uniform_buffer, sampled_image, sampled_image, storage_image, storage_buffer};
   const uint32_t count = pass_count(spec);
   if (count > 1) {
     deferred_ = gpu::Buffer(device, "deferred receivers",
                             shared::max_lookup_passes * sizeof(shared::DeferredReceivers) +
                                 uint64_t{count - 1} * extent.width * extent.height * sizeof(uint32_t));
-    kinds.push_back(gpu::BindingKind::storage_buffer);
+    kinds.push_back(storage_buffer);
   }
   const auto shader = lookup_shader(spec.parameterization + "/" + spec.storage + "/" + spec.filter);
   for (uint32_t pass = 0; pass < count; ++pass)
@@ -35,9 +41,13 @@ LookupPasses::LookupPasses(const gpu::Device& device, const Spec& spec, vk::Exte
                                        {light_kind, pass, known.storage, known.parameterization}));
 }
 
-void LookupPasses::record(const vk::raii::CommandBuffer& commands, std::vector<gpu::Binding> bindings,
-                          vk::DescriptorSet lookup_set) const {
+void LookupPasses::record(const vk::raii::CommandBuffer& commands, std::vector<gpu::Binding> receivers,
+                          vk::DescriptorSet lookup_set, gpu::Image& visibility) const {
   const std::span sets(&lookup_set, 1);
+  visibility.transition(commands, vk::ImageLayout::eGeneral, true);
+  std::vector<gpu::Binding> bindings = std::move(receivers);
+  bindings.push_back(gpu::Binding::storage(visibility.view()));
+  bindings.push_back(gpu::Binding::storage(answers_));
   if (deferred_) {
     std::array<shared::DeferredReceivers, shared::max_lookup_passes> none;
     none.fill({{0, 1, 1}, 0});
@@ -45,15 +55,26 @@ void LookupPasses::record(const vk::raii::CommandBuffer& commands, std::vector<g
     gpu::memory_barrier(commands);
     bindings.push_back(gpu::Binding::storage(deferred_));
   }
-  passes_[0].dispatch(commands, bindings, {}, {gpu::groups(extent_.width, 8), gpu::groups(extent_.height, 8), 1}, sets);
+  const uint32_t words = words_a_row(extent_);
+  passes_[0].dispatch(commands, bindings, {}, {gpu::groups(words, 8), gpu::groups(extent_.height, 8), 1}, sets);
+  gpu::memory_barrier(commands);
+  visibility.transition(commands, vk::ImageLayout::eTransferDstOptimal);
+  const vk::BufferImageCopy region(0, words * shared::answers_a_word, 0, {visibility.aspect(), 0, 0, 1}, {},
+                                   {extent_.width, extent_.height, 1});
+  commands.copyBufferToImage(answers_.handle(), visibility.handle(), vk::ImageLayout::eTransferDstOptimal, region);
+  if (passes_.size() > 1) visibility.transition(commands, vk::ImageLayout::eGeneral);
   for (size_t pass = 1; pass < passes_.size(); ++pass) {
     gpu::memory_barrier(commands);
     passes_[pass].dispatch_indirect(commands, bindings, {}, deferred_, pass * sizeof(shared::DeferredReceivers), sets);
   }
+  visibility.transition(commands, vk::ImageLayout::eShaderReadOnlyOptimal);
 }
 
 std::vector<Allocation> LookupPasses::allocations() const {
-  return deferred_ ? std::vector{deferred_.allocation()} : std::vector<Allocation>{};
+  if (!answers_) return {};
+  std::vector result{answers_.allocation()};
+  if (deferred_) result.push_back(deferred_.allocation());
+  return result;
 }
 
 }  // namespace shadewright::shadow

@@ -18,17 +18,19 @@ class LookupPasses {
   };
 
   LookupPasses() = default;
-  /// For images of `extent` pixels, with bindings of `kinds` in set 0; set 1 is of `lookup_layout`.
-  LookupPasses(const gpu::Device& device, const Spec& spec, vk::Extent2D extent, std::vector<gpu::BindingKind> kinds,
-               vk::DescriptorSetLayout lookup_layout, uint32_t light_kind, Known known);
+  /// For images of `extent` pixels; set 1 is of `lookup_layout`.
+  LookupPasses(const gpu::Device& device, const Spec& spec, vk::Extent2D extent, vk::DescriptorSetLayout lookup_layout,
+               uint32_t light_kind, Known known);
 
-  void record(const vk::raii::CommandBuffer& commands, std::vector<gpu::Binding> bindings,
-              vk::DescriptorSet lookup_set) const;
+  /// Looks up `receivers` (bindings 0 to 2 of set 0) into all of `visibility`, and leaves that to be sampled.
+  void record(const vk::raii::CommandBuffer& commands, std::vector<gpu::Binding> receivers,
+              vk::DescriptorSet lookup_set, gpu::Image& visibility) const;
   std::vector<Allocation> allocations() const;
 
  private:
   vk::Extent2D extent_;
   std::vector<gpu::ComputePass> passes_;
+  gpu::Buffer answers_;   ///< of the first pass, a byte a pixel
   gpu::Buffer deferred_;  ///< DeferredReceivers of each pass, then their pixels; with several passes
 };
 

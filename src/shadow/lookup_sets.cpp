@@ -23,7 +23,7 @@ gpu::Image make_visibility(const gpu::Device& device, const TechniqueOptions& op
   using Usage = vk::ImageUsageFlagBits;
   return {device,
           {"visibility", vk::Format::eR8Unorm, options.width, options.height, 1,
-           Usage::eStorage | Usage::eSampled | Usage::eTransferSrc}};
+           Usage::eStorage | Usage::eSampled | Usage::eTransferSrc | Usage::eTransferDst}};
 }
 
 }  // namespace shadewright::shadow

@@ -71,11 +71,8 @@ void MapTechnique::build_for(LightKind light) {
   storage_.reset();
   draws_ = parameterization_->make_caster_draws(light, options_.frames_in_flight);
   storage_ = make_storage(device_, {spec_, parameterization_->map_extent(light), *draws_, lookup_sets_.layout()});
-  using enum gpu::BindingKind;
-  lookup_ =
-      LookupPasses(device_, spec_, {options_.width, options_.height},
-                   {uniform_buffer, sampled_image, sampled_image, storage_image}, lookup_sets_.layout(),
-                   shared_kind(light), {storage_->lookup_constant(), parameterization_->lookup_constant()});
+  lookup_ = LookupPasses(device_, spec_, {options_.width, options_.height}, lookup_sets_.layout(), shared_kind(light),
+                         {storage_->lookup_constant(), parameterization_->lookup_constant()});
   built_for_ = light;
   write_lookup_sets();
 }
@@ -92,7 +89,8 @@ void MapTechnique::prepare(const Frame& frame, gpu::Recorder& recorder) {
     write_constants(frame);
     draws_->prepare(frame, slot(frame), parameterization_->views());
   });
-  last_ = {lookup_sets_.layout(), lookup_set(frame), receiver_bindings(frame), options_.width, options_.height, shared_kind(frame.light.kind)};
+  last_ = {lookup_sets_.layout(), lookup_set(frame), receiver_bindings(frame),
+           options_.width,        options_.height,   shared_kind(frame.light.kind)};
   parameterization_->refine(frame, last_, recorder, [&] { draw(frame, recorder); });
 }
 
@@ -135,11 +133,7 @@ void MapTechnique::record(const Frame& frame, gpu::Recorder& recorder) {
   parameterization_->record(frame, last_, recorder);
   draw(frame, recorder);
   recorder.stage("look-up", [&](const vk::raii::CommandBuffer& commands) {
-    visibility_.transition(commands, vk::ImageLayout::eGeneral, true);
-    auto bindings = last_.receivers;
-    bindings.push_back(gpu::Binding::storage(visibility_.view()));
-    lookup_.record(commands, std::move(bindings), last_.set);
-    visibility_.transition(commands, vk::ImageLayout::eShaderReadOnlyOptimal);
+    lookup_.record(commands, last_.receivers, last_.set, visibility_);
   });
 }
 

@@ -54,6 +54,16 @@ struct LookupUniform {
 };
 #endif
 
+/// A look-up writes so many pixels of a row at once, a byte each of a word; a row takes `answer_words` of them.
+const int answers_a_word = 4;
+#ifdef __cplusplus
+inline
+#endif
+    int
+    answer_words(int width) {
+  return (width + answers_a_word - 1) / answers_a_word;
+}
+
 /// The receivers whose answer a look-up puts off to a further pass. Their pixels follow, x and y in 16 bits each.
 struct DeferredReceivers {
   uvec3 groups;  // of that pass

@@ -350,8 +350,8 @@ void Paged::make_passes(const ReceiverLookup& lookup) {
   requests_pass_ = of_pixels(shaders::page_requests_comp, 3);
   if (edges_) edges_pass_ = of_pixels(shaders::page_edges_comp, 3);
   statistics_pass_ = of_pixels(shaders::page_statistics_comp, 2);
-  allocate_pass_ =
-      gpu::ComputePass(device_, shaders::page_allocate_comp, std::vector(9, storage_buffer), 0, layouts, {lookup.light_kind});
+  allocate_pass_ = gpu::ComputePass(device_, shaders::page_allocate_comp, std::vector(9, storage_buffer), 0, layouts,
+                                    {lookup.light_kind});
   invalidate_pass_ = gpu::ComputePass(device_, shaders::page_invalidate_comp, {storage_buffer, storage_buffer}, 0,
                                       layouts, {lookup.light_kind});
 }

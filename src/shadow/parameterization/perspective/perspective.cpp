@@ -64,11 +64,9 @@ Receivers Perspective::find_receivers(const Frame& frame, gpu::Recorder& recorde
   }
   make_reduction(frame.light.kind);
   camera_.mapped<shared::CameraData>()[0] = render::camera_data(frame.camera);
-  const shared::TileConstants constants{grid_.side,
-                                        glm::uvec2(grid_.columns, grid_.rows),
+  const shared::TileConstants constants{grid_.side, glm::uvec2(grid_.columns, grid_.rows),
                                         static_cast<float>(std::cos(frame.light.outer_angle)),
-                                        glm::vec3(frame.light.position),
-                                        glm::vec3(frame.light.direction)};
+                                        glm::vec3(frame.light.position), glm::vec3(frame.light.direction)};
   recorder.stage("visible depth", [&](const vk::raii::CommandBuffer& commands) {
     using gpu::Binding;
     const Binding bindings[] = {Binding::uniform(camera_), Binding::sampled(frame.depth, *sampler_),

@@ -62,7 +62,7 @@ class Rectilinear final : public Parameterization {
   bool backward_ = true, two_dimensional_ = false;
   uint32_t functions_ = 0, collapse_mode_ = 0;  ///< constants that the passes are specialized for
   uint32_t analyses_for_ = shared::light_any;   ///< the light's kind that they are made for
-  std::optional<Light> last_light_;  ///< of the frame that the history is of
+  std::optional<Light> last_light_;             ///< of the frame that the history is of
 };
 
 }  // namespace shadewright::shadow

@@ -46,8 +46,8 @@ SmallCasters::SmallCasters(const render::SceneGpu& scene, const CasterPipelineDe
     commands.fillBuffer(tiles_.handle(), 0, VK_WHOLE_SIZE, 0);
   });
   const std::span sets(&desc.lookup_layout, 1);
-  rasterize_ = gpu::ComputePass(device, shaders::small_casters_comp, std::vector(5, storage_buffer), sizeof(uint32_t),
-                                sets);
+  rasterize_ =
+      gpu::ComputePass(device, shaders::small_casters_comp, std::vector(5, storage_buffer), sizeof(uint32_t), sets);
   clear_ = gpu::ComputePass(device, shaders::small_clear_comp, std::vector(3, storage_buffer), sizeof(glm::uvec2));
   list_tiles_ = gpu::ComputePass(device, shaders::small_tiles_comp, std::vector(2, storage_buffer), sizeof(uint32_t));
   gpu::GraphicsDesc pipeline;

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "gpu/device_for_test.h"
+#include "shadewright/scene/builtin.h"
 #include "shadow/view_for_test.h"
 
 namespace shadewright::shadow {
@@ -154,6 +155,23 @@ TEST_F(SubpixelTest, MapsAreTheSameWithoutWideAtomics) {
     EXPECT_GT(std::ranges::count(by_compute.first, std::byte{0}), 100);
   }
   EXPECT_TRUE(plain.validation_messages().empty());
+}
+
+/// Buffers of the device begin with what the memory held before: of instances that culling leaves out, nothing else is
+/// ever written.
+TEST_F(SubpixelTest, MapsDoNotDependOnWhatMemoryHeld) {
+  const Scene scene = make_builtin("city");
+  ViewForTest view(device(), scene, scene.cameras.front(), width, height);
+  view.frame().light = scene.lights.front();
+  std::set<std::vector<std::byte>> answers;
+  for (const std::byte held : {std::byte{0}, std::byte{0xff}, std::byte{0}, std::byte{0xff}}) {
+    for (size_t bytes = 256; bytes <= (size_t{1} << 20); bytes += bytes / 8) {
+      const std::vector<std::byte> freed(bytes, held);
+      ASSERT_EQ(std::ranges::count(freed, held), static_cast<std::ptrdiff_t>(bytes));
+    }
+    answers.insert(view.look_up(*make(device(), "cascaded/subpixel/hard@256")));
+  }
+  EXPECT_EQ(answers.size(), 1u);
 }
 
 Mesh box(const glm::vec3& low, const glm::vec3& high) {
