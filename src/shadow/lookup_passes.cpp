@@ -56,7 +56,7 @@ void LookupPasses::record(const vk::raii::CommandBuffer& commands, std::vector<g
     bindings.push_back(gpu::Binding::storage(deferred_));
   }
   const uint32_t words = words_a_row(extent_);
-  passes_[0].dispatch(commands, bindings, {}, {gpu::groups(words, 8), gpu::groups(extent_.height, 8), 1}, sets);
+  passes_[0].dispatch(commands, bindings, {}, {gpu::groups(words, 16), gpu::groups(extent_.height, 4), 1}, sets);
   gpu::memory_barrier(commands);
   visibility.transition(commands, vk::ImageLayout::eTransferDstOptimal);
   const vk::BufferImageCopy region(0, words * shared::answers_a_word, 0, {visibility.aspect(), 0, 0, 1}, {},
