@@ -141,10 +141,17 @@ GraphicsPass::GraphicsPass(const Device& device, const GraphicsDesc& desc) {
   layout_ = make_layout(device, set_layout_, desc.sets, desc.push_bytes, graphics_stages);
   std::vector<vk::raii::ShaderModule> modules;
   std::vector<vk::PipelineShaderStageCreateInfo> stages;
+  std::vector<vk::SpecializationMapEntry> entries;
+  using Constant = std::pair<uint32_t, uint32_t>;
+  for (const auto& [id, value] : desc.constants)
+    entries.emplace_back(id, static_cast<uint32_t>(entries.size() * sizeof(Constant) + offsetof(Constant, second)),
+                         sizeof(uint32_t));
+  const vk::SpecializationInfo specialization(static_cast<uint32_t>(entries.size()), entries.data(),
+                                              desc.constants.size() * sizeof(Constant), desc.constants.data());
   const auto add = [&](vk::ShaderStageFlagBits stage, std::span<const uint32_t> spirv) {
     if (spirv.empty()) return;
     modules.push_back(make_shader(device, spirv));
-    stages.push_back({{}, stage, *modules.back(), "main"});
+    stages.push_back({{}, stage, *modules.back(), "main", &specialization});
   };
   using Stage = vk::ShaderStageFlagBits;
   add(Stage::eVertex, desc.vertex);

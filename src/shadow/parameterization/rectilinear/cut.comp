@@ -15,13 +15,20 @@ layout(set = 0, binding = 2, scalar) readonly buffer Draws { DrawCommand draws[]
 layout(set = 0, binding = 3, scalar) readonly buffer Visible { VisibleInstance visible[]; };
 layout(set = 0, binding = 4, scalar) writeonly buffer CutDraws { DrawCommand cut_draws[]; };
 layout(set = 0, binding = 5, scalar) writeonly buffer Pieces { VisibleInstance pieces[]; };
-layout(set = 0, binding = 6, scalar) buffer Figures { CutFigures figures; };
+layout(set = 0, binding = 6, scalar) writeonly buffer UncutDraws { DrawCommand uncut_draws[]; };
+layout(set = 0, binding = 7, scalar) buffer Figures { CutFigures figures; };
+layout(set = 0, binding = 8, scalar) writeonly buffer PieceWarps { PieceSegments piece_segments[]; };
 layout(push_constant, scalar) uniform Push { CutConstants constants; };
 
 struct Segments {
   uvec2 first, last;
   uint count;  // of pairs
 };
+
+vec4 piece_segment(uint axis, uint i) {
+  WarpSegment s = warp_segments[axis * warp.cells + i];
+  return vec4(s.flat_start, s.start, s.slope, segment_end(axis, i));
+}
 
 // Those that the box touches.
 Segments segments_of(VisibleInstance instance, ClusterData cluster) {
@@ -58,20 +65,24 @@ void main() {
     if (cut) base = constants.first_spare + spare;
     else atomicAdd(figures.uncut, 1);
   }
-  uint piece = base;
+  // Cut ones fill the place in the list from the front; those for which there is no room theirs from the end.
+  uint piece = base, uncut_begin = all.first_instance + all.instance_count;
   for (uint i = 0; i < all.instance_count; ++i) {
     VisibleInstance instance = visible[all.first_instance + i];
     Segments s = segments_of(instance, cluster);
     if (s.count > 1 && !cut) {
       instance.part = uncut;
-      pieces[piece++] = instance;
+      pieces[--uncut_begin] = instance;
       continue;
     }
     uint width = s.last.x - s.first.x + 1;
     for (uint k = 0; k < s.count; ++k) {
-      instance.part = (s.first.x + k % width) | ((s.first.y + k / width) << 16);
+      uint u = s.first.x + k % width, v = s.first.y + k / width;
+      instance.part = u | (v << 16);
+      piece_segments[piece] = PieceSegments(piece_segment(0, u), piece_segment(1, v));
       pieces[piece++] = instance;
     }
   }
   cut_draws[slot] = DrawCommand(all.index_count, piece - base, all.first_index, 0, base);
+  uncut_draws[slot] = DrawCommand(all.index_count, all.first_instance + all.instance_count - uncut_begin, all.first_index, 0, uncut_begin);
 }

@@ -3,24 +3,32 @@
 #include "render/scene_vertex.glsl"
 #include "shadow/parameterization/rectilinear/shared.h"
 
-layout(location = 6) in uint caster_segments;
+// The segments come with the piece: to look them up a vertex at a time took a fifth of a frame on a CPU device.
+layout(location = 6) in vec4 piece_segment_u;
+layout(location = 7) in vec4 piece_segment_v;
+
+// Of what is not cut: vertices are warped where they lie, the edges between them straight.
+layout(constant_id = 4) const bool warps_vertices = false;
 
 out gl_PerVertex {
   vec4 gl_Position;
   float gl_ClipDistance[4];
 };
 
+// Where the warp puts a flat coordinate, times w. `segment` as in PieceSegments.
+float caster_axis(uint axis, vec4 segment, float x, float w) {
+  float warped = segment.y * w + segment.z * (x - segment.x * w);
+  gl_ClipDistance[2 * axis] = warped - segment.y * w;
+  gl_ClipDistance[2 * axis + 1] = segment.w * w - warped;
+  return warped;
+}
+
 vec4 caster_position(uint view) {
   vec4 p = map_caster_flat(scene_world_position(), view);
-  for (int i = 0; i < 4; ++i) gl_ClipDistance[i] = 1.0;
-  if (caster_segments == uncut) return map_caster_clip(p);
-  uvec2 segment = uvec2(caster_segments & 0xffffu, caster_segments >> 16);
-  vec2 warped;  // times w
-  for (uint axis = 0; axis < 2; ++axis) {
-    WarpSegment s = warp_segments[axis * warp.cells + segment[axis]];
-    warped[axis] = s.start * p.w + s.slope * (p[axis] - s.flat_start * p.w);
-    gl_ClipDistance[2 * axis] = warped[axis] - s.start * p.w;
-    gl_ClipDistance[2 * axis + 1] = segment_end(axis, segment[axis]) * p.w - warped[axis];
+  if (warps_vertices) {
+    for (int i = 0; i < 4; ++i) gl_ClipDistance[i] = 1.0;
+    return map_caster_clip(p);
   }
+  vec2 warped = vec2(caster_axis(0, piece_segment_u, p.x, p.w), caster_axis(1, piece_segment_v, p.y, p.w));
   return vec4(2.0 * warped - p.w, p.zw);
 }

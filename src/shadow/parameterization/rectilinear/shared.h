@@ -110,6 +110,12 @@ struct WarpFigures {
   uint orientation;
 };
 
+/// The segments of a piece along u and along v, as instance-rate vertex attributes: lower edge flat and warped, slope,
+/// upper edge warped.
+struct PieceSegments {
+  vec4 u, v;
+};
+
 /// VisibleInstance::part of a cluster of an instance in segment u along u and v along v: u | v << 16, or `uncut`.
 /// The latter for want of room: the vertices are warped, the edges between them straight.
 const uint uncut = 0xffffffffu;

@@ -4,8 +4,6 @@
 // the fragment stage, for those clusters whose triangles bend.
 #pragma once
 
-#include <optional>
-
 #include "shadow/view_caster_draws.h"
 
 namespace shadewright::shadow {
@@ -32,9 +30,10 @@ class WarpedCasterDraws final : public ViewCasterDraws {
   void make_buffers(uint32_t spare);
 
   const gpu::Device* device_ = nullptr;
+  bool bends_ = false;
   gpu::ComputePass part_;
-  std::optional<gpu::GraphicsPass> bent_pass_;
-  gpu::Buffer pieces_, piece_draws_, bent_draws_, figures_;
+  gpu::GraphicsPass rest_pass_;  ///< of what bends; else of pieces for which there was no room
+  gpu::Buffer pieces_, piece_segments_, piece_draws_, rest_draws_, figures_;
   uint32_t spare_ = 0;  ///< room in `pieces_` for what is cut
 };
 
