@@ -135,6 +135,7 @@ MapExtent Paged::map_extent(LightKind) const {
 
 std::unique_ptr<CasterDraws> Paged::make_caster_draws(LightKind light, uint32_t) {
   make_tables(light);
+  table_is_void_ = true;  // the pool is made anew too
   list_ = {};
   requests_pass_ = {};
   if (bins_superpages_) return std::make_unique<SuperpageCasterDraws>(device_, *this, frames_in_flight_);
@@ -167,7 +168,6 @@ void Paged::make_tables(LightKind light) {
       superpage_pages_.emplace_back(device_, "pages of superpages", pool_pages * sizeof(uint32_t),
                                     gpu::HostAccess::write);
   }
-  table_is_void_ = true;
   scan_ = gpu::Scan(device_, words);
 }
 

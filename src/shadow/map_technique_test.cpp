@@ -1,0 +1,47 @@
+// One technique serves lights of changing kinds: its passes are specialized for a kind, its maps have a face or six.
+#include "shadow/map_technique.h"
+
+#include <algorithm>
+
+#include "gpu/device_for_test.h"
+#include "shadewright/scene/builtin.h"
+#include "shadow/parts.h"
+#include "shadow/view_for_test.h"
+
+namespace shadewright::shadow {
+namespace {
+
+constexpr uint32_t width = 97, height = 61;
+
+class MapTechniqueTest : public gpu::DeviceTest {};
+
+TEST_F(MapTechniqueTest, FollowsTheKindOfTheLight) {
+  const Scene scene = make_builtin("sandbox");
+  ViewForTest view(device(), scene, scene.cameras.front(), width, height);
+  Light sun = scene.lights.front(), lamp, spot;
+  lamp.kind = LightKind::point;
+  lamp.position = scene.cameras.front().target + glm::dvec3(0.3, 1.1, 0.2);
+  spot.kind = LightKind::spot;
+  spot.position = scene.cameras.front().target + glm::dvec3(2, 6, 1);
+  spot.direction = glm::normalize(scene.cameras.front().target - spot.position);
+  spot.outer_angle = 0.6;
+  for (const char* text :
+       {"sm@256", "vsm@256", "psm@256", "rtw@256", "spsm@256", "rgsm@256", "rmsm@4096", "paged@4096,cache=on"}) {
+    const Spec spec = parse_spec(text);
+    const auto make = [&] { return make_technique(device(), spec, {width, height, 1, true, &scene}); };
+    const auto lasting = make();
+    for (const Light* light : {&sun, &spot, &lamp, &spot, &sun}) {
+      if (!serves(spec.parameterization, light->kind)) continue;
+      SCOPED_TRACE(std::string(text) + ", light of kind " + std::to_string(static_cast<int>(light->kind)));
+      view.frame().light = *light;
+      const auto expected = view.look_up(*make());
+      EXPECT_GT(std::ranges::count(expected, std::byte{0}), 100);
+      EXPECT_GT(std::ranges::count(expected, std::byte{255}), 100);
+      EXPECT_EQ(view.look_up(*lasting), expected);
+      ++view.frame().index;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace shadewright::shadow
