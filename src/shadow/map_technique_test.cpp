@@ -43,5 +43,25 @@ TEST_F(MapTechniqueTest, FollowsTheKindOfTheLight) {
   }
 }
 
+/// Passes over the camera's buffers take four pixels at once: beyond an image of odd size is nothing. A light of each
+/// direction: what a sampler's border holds, if it were taken for a surface, would face some of them.
+TEST_F(MapTechniqueTest, SeesNothingBeyondTheImage) {
+  const Scene scene = make_builtin("sandbox");
+  const Camera camera = scene.cameras.front();
+  for (const glm::dvec3 direction : {glm::dvec3(1, -1, 0), {-1, -1, 0}, {0, -1, 1}, {0, -1, -1}}) {
+    const auto nearest = [&](uint32_t w, uint32_t h) {
+      ViewForTest view(device(), scene, camera, w, h);
+      view.frame().light = scene.lights.front();
+      view.frame().light.direction = glm::normalize(direction);
+      const auto technique = make_technique(device(), parse_spec("psm@256"), {w, h});
+      view.look_up(*technique);
+      return technique->counters().at("near").front();
+    };
+    const double even = nearest(128, 96), odd = nearest(129, 97);
+    EXPECT_GT(even, 2 * near_distance(scene, camera));
+    EXPECT_NEAR(odd / even, 1, 0.1) << direction.x << ' ' << direction.z;
+  }
+}
+
 }  // namespace
 }  // namespace shadewright::shadow

@@ -45,7 +45,8 @@ std::vector<Box> VisibleBounds::measure(const Frame& frame, gpu::Recorder& recor
                                 Binding::storage(sets_), Binding::storage(bounds_)};
     const auto count = static_cast<uint32_t>(lights.size());
     pass_.dispatch(commands, bindings, gpu::bytes_of(count),
-                   {gpu::groups(frame.camera.width, 32), gpu::groups(frame.camera.height, 32), 1});
+                   {gpu::groups(frame.camera.width, 8 * shared::bounded_tile),
+                    gpu::groups(frame.camera.height, 8 * shared::bounded_tile), 1});
   });
   recorder.wait();
   std::vector<Box> result;

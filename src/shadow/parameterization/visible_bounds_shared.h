@@ -9,6 +9,8 @@ namespace shadewright::shared {
 #endif
 
 const uint max_bounded_sets = 8;
+/// An invocation looks at the pixels of a square of this side.
+const int bounded_tile = 16;
 
 /// A set of surface points, those of view depths from `nearest` to `farthest`, and the axes to bound it in.
 struct BoundedSet {

@@ -3,19 +3,23 @@
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
+#define SHADEWRIGHT_LOADS_FIRST 1
 #include "render/camera.glsl"
 #include "render/octahedral.glsl"
+#include "shadow/loads_first.glsl"
 #include "shadow/parameterization/perspective/visible.h"
 #include "shadow/shared.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(binding = 0, scalar) uniform Camera { CameraData camera; };
+layout(binding = 0, scalar) SHADEWRIGHT_UNIFORM(CameraData, camera, load_camera)
 layout(binding = 1) uniform sampler2D camera_depth;
 layout(binding = 2) uniform sampler2D camera_normal;
+#include "shadow/parameterization/camera_quad.glsl"
 layout(binding = 3, scalar) writeonly buffer Tiles { VisibleTile tiles[]; };
-layout(push_constant, scalar) uniform Push { TileConstants constants; };
+layout(push_constant, scalar) uniform Push { TileConstants pushed; };
 layout(constant_id = 0) const uint light_kind = light_directional;
 
+TileConstants constants;
 // What the look-up calls facing must not be missed for the order of its arithmetic.
 const float facing_slack = 1e-4;
 // Of this thread's pixels: depths as the camera's buffer has them, and bounds in the world.
@@ -35,7 +39,7 @@ float axis_distance(vec3 from_light) {
 void take(ivec2 pixel, float depth, vec2 encoded_normal) {
   if (depth == camera.background_depth) return;
   vec3 normal = octahedral_direction(encoded_normal);
-  vec3 world = camera_surface(camera, min(pixel, ivec2(camera.size) - 1), depth);
+  vec3 world = camera_surface(camera, pixel, depth);
   if (light_kind == light_directional) {
     if (dot(normal, constants.light_direction) > facing_slack) return;
   } else {
@@ -52,19 +56,19 @@ void take(ivec2 pixel, float depth, vec2 encoded_normal) {
 }
 
 void main() {
+  load_camera();
+  constants = pushed;
   if (any(greaterThanEqual(gl_GlobalInvocationID.xy, constants.tiles))) return;
   ivec2 first = ivec2(gl_GlobalInvocationID.xy * constants.side);
   ivec2 end = min(first + int(constants.side), ivec2(camera.size));
   for (int y = first.y; y < end.y; y += 2)
     for (int x = first.x; x < end.x; x += 2) {
-      vec2 corner = vec2(x + 1, y + 1) / vec2(camera.size);
-      vec4 depths = textureGather(camera_depth, corner);
+      ivec2 quad = ivec2(x, y);
+      vec2 corner = quad_corner(quad);
+      vec4 depths = camera_quad(quad);
       if (depths == vec4(camera.background_depth)) continue;
       vec4 nx = textureGather(camera_normal, corner, 0), ny = textureGather(camera_normal, corner, 1);
-      take(ivec2(x, y + 1), depths.x, vec2(nx.x, ny.x));
-      take(ivec2(x + 1, y + 1), depths.y, vec2(nx.y, ny.y));
-      take(ivec2(x + 1, y), depths.z, vec2(nx.z, ny.z));
-      take(ivec2(x, y), depths.w, vec2(nx.w, ny.w));
+      for (int k = 0; k < 4; ++k) take(quad + quad_pixels[k], depths[k], vec2(nx[k], ny[k]));
     }
   VisibleTile tile;
   bool any = depth_low <= depth_high;
