@@ -16,6 +16,11 @@ uint32_t pass_count(const Spec& spec) {
   return spec.filter == "hard" ? 4 : 2;
 }
 
+/// Whether the first pass answers several pixels at once: not where the filter's GLSL defines FILTER_LONG.
+bool answers_in_words(const Spec& spec) {
+  return spec.filter != "aa" && spec.filter != "trilinear";
+}
+
 uint32_t words_a_row(vk::Extent2D extent) {
   return static_cast<uint32_t>(shared::answer_words(static_cast<int>(extent.width)));
 }
@@ -24,10 +29,14 @@ uint32_t words_a_row(vk::Extent2D extent) {
 
 LookupPasses::LookupPasses(const gpu::Device& device, const Spec& spec, vk::Extent2D extent,
                            vk::DescriptorSetLayout lookup_layout, uint32_t light_kind, Known known)
-    : extent_(extent),
-      answers_(device, "answers of receivers", uint64_t{words_a_row(extent)} * extent.height * sizeof(uint32_t)) {
+    : extent_(extent) {
   using enum gpu::BindingKind;
-  std::vector kinds{uniform_buffer, sampled_image, sampled_image, storage_image, storage_buffer};
+  std::vector kinds{uniform_buffer, sampled_image, sampled_image, storage_image};
+  if (answers_in_words(spec)) {
+    answers_ =
+        gpu::Buffer(device, "answers of receivers", uint64_t{words_a_row(extent)} * extent.height * sizeof(uint32_t));
+    kinds.push_back(storage_buffer);
+  }
   const uint32_t count = pass_count(spec);
   if (count > 1) {
     deferred_ = gpu::Buffer(device, "deferred receivers",
@@ -47,7 +56,7 @@ void LookupPasses::record(const vk::raii::CommandBuffer& commands, std::vector<g
   visibility.transition(commands, vk::ImageLayout::eGeneral, true);
   std::vector<gpu::Binding> bindings = std::move(receivers);
   bindings.push_back(gpu::Binding::storage(visibility.view()));
-  bindings.push_back(gpu::Binding::storage(answers_));
+  if (answers_) bindings.push_back(gpu::Binding::storage(answers_));
   if (deferred_) {
     std::array<shared::DeferredReceivers, shared::max_lookup_passes> none;
     none.fill({{0, 1, 1}, 0});
@@ -55,14 +64,16 @@ void LookupPasses::record(const vk::raii::CommandBuffer& commands, std::vector<g
     gpu::memory_barrier(commands);
     bindings.push_back(gpu::Binding::storage(deferred_));
   }
-  const uint32_t words = words_a_row(extent_);
-  passes_[0].dispatch(commands, bindings, {}, {gpu::groups(words, 16), gpu::groups(extent_.height, 4), 1}, sets);
-  gpu::memory_barrier(commands);
-  visibility.transition(commands, vk::ImageLayout::eTransferDstOptimal);
-  const vk::BufferImageCopy region(0, words * shared::answers_a_word, 0, {visibility.aspect(), 0, 0, 1}, {},
-                                   {extent_.width, extent_.height, 1});
-  commands.copyBufferToImage(answers_.handle(), visibility.handle(), vk::ImageLayout::eTransferDstOptimal, region);
-  if (passes_.size() > 1) visibility.transition(commands, vk::ImageLayout::eGeneral);
+  const uint32_t a_row = answers_ ? words_a_row(extent_) : extent_.width;
+  passes_[0].dispatch(commands, bindings, {}, {gpu::groups(a_row, 16), gpu::groups(extent_.height, 4), 1}, sets);
+  if (answers_) {
+    gpu::memory_barrier(commands);
+    visibility.transition(commands, vk::ImageLayout::eTransferDstOptimal);
+    const vk::BufferImageCopy region(0, a_row * shared::answers_a_word, 0, {visibility.aspect(), 0, 0, 1}, {},
+                                     {extent_.width, extent_.height, 1});
+    commands.copyBufferToImage(answers_.handle(), visibility.handle(), vk::ImageLayout::eTransferDstOptimal, region);
+    if (passes_.size() > 1) visibility.transition(commands, vk::ImageLayout::eGeneral);
+  }
   for (size_t pass = 1; pass < passes_.size(); ++pass) {
     gpu::memory_barrier(commands);
     passes_[pass].dispatch_indirect(commands, bindings, {}, deferred_, pass * sizeof(shared::DeferredReceivers), sets);
@@ -71,9 +82,9 @@ void LookupPasses::record(const vk::raii::CommandBuffer& commands, std::vector<g
 }
 
 std::vector<Allocation> LookupPasses::allocations() const {
-  if (!answers_) return {};
-  std::vector result{answers_.allocation()};
-  if (deferred_) result.push_back(deferred_.allocation());
+  std::vector<Allocation> result;
+  for (const gpu::Buffer* buffer : {&answers_, &deferred_})
+    if (*buffer) result.push_back(buffer->allocation());
   return result;
 }
 

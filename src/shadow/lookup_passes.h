@@ -30,7 +30,7 @@ class LookupPasses {
  private:
   vk::Extent2D extent_;
   std::vector<gpu::ComputePass> passes_;
-  gpu::Buffer answers_;   ///< of the first pass, a byte a pixel
+  gpu::Buffer answers_;   ///< of the first pass, a byte a pixel; unless it stores them itself
   gpu::Buffer deferred_;  ///< DeferredReceivers of each pass, then their pixels; with several passes
 };
 

@@ -2,6 +2,7 @@
 // pixel's footprint on the receiver's plane; a footprint beyond the texels that it looked at is looked up place by place.
 // Where a border passes alone, what is on which side of one half is then decided by the pixel's middle, as `hard` decides it. Among leaves
 // farther away than that, the pixel's larger part differs from its middle in truth too: there a filter is "wrong" where `hard` is right.
+#define FILTER_LONG 1  // a look-up answers a pixel at a time
 #define FILTER_FOOTPRINT 1
 #define FILTER_PASSES 2
 

@@ -1,4 +1,5 @@
 // trilinear: 2x2 percentage-closer filtering in the two levels around the pixel's, blended (RMSM, section 3.3.1).
+#define FILTER_LONG 1  // a look-up answers a pixel at a time
 
 // The four texel centres around `world` at a level, each compared with the depth of the receiver's plane there and weighted
 // bilinearly. Those on the receiver's own page answer at once; then those of each other page, or one of a coarser page at a time.
