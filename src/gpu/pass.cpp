@@ -47,6 +47,21 @@ class Writes {
   std::vector<vk::WriteDescriptorSet> writes_;
 };
 
+/// Values of specialization constants 0, 1, ..., with the storage that vk points into.
+class Specialization {
+ public:
+  explicit Specialization(std::span<const uint32_t> values) {
+    for (uint32_t i = 0; i < values.size(); ++i)
+      entries_.emplace_back(i, static_cast<uint32_t>(i * sizeof(uint32_t)), sizeof(uint32_t));
+    info_ = {static_cast<uint32_t>(entries_.size()), entries_.data(), values.size_bytes(), values.data()};
+  }
+  const vk::SpecializationInfo& info() const { return info_; }
+
+ private:
+  std::vector<vk::SpecializationMapEntry> entries_;
+  vk::SpecializationInfo info_;
+};
+
 void bind_sets(const vk::raii::CommandBuffer& commands, vk::PipelineBindPoint point,
                const vk::raii::PipelineLayout& layout, std::span<const Binding> bindings,
                std::span<const vk::DescriptorSet> sets) {
@@ -105,13 +120,9 @@ ComputePass::ComputePass(const Device& device, std::span<const uint32_t> spirv, 
   set_layout_ = make_set_layout(device, kinds, vk::ShaderStageFlagBits::eCompute, true);
   layout_ = make_layout(device, set_layout_, sets, push_bytes, vk::ShaderStageFlagBits::eCompute);
   const auto shader = make_shader(device, spirv);
-  std::vector<vk::SpecializationMapEntry> entries;
-  for (uint32_t i = 0; i < constants.size(); ++i)
-    entries.emplace_back(i, static_cast<uint32_t>(i * sizeof(uint32_t)), sizeof(uint32_t));
-  const vk::SpecializationInfo specialization(static_cast<uint32_t>(entries.size()), entries.data(),
-                                              constants.size() * sizeof(uint32_t), constants.begin());
+  const Specialization specialization({constants.begin(), constants.size()});
   const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *shader, "main",
-                                                &specialization);
+                                                &specialization.info());
   pipeline_ = vk::raii::Pipeline(device.handle(), nullptr, vk::ComputePipelineCreateInfo({}, stage, *layout_));
 }
 
@@ -141,17 +152,11 @@ GraphicsPass::GraphicsPass(const Device& device, const GraphicsDesc& desc) {
   layout_ = make_layout(device, set_layout_, desc.sets, desc.push_bytes, graphics_stages);
   std::vector<vk::raii::ShaderModule> modules;
   std::vector<vk::PipelineShaderStageCreateInfo> stages;
-  std::vector<vk::SpecializationMapEntry> entries;
-  using Constant = std::pair<uint32_t, uint32_t>;
-  for (const auto& [id, value] : desc.constants)
-    entries.emplace_back(id, static_cast<uint32_t>(entries.size() * sizeof(Constant) + offsetof(Constant, second)),
-                         sizeof(uint32_t));
-  const vk::SpecializationInfo specialization(static_cast<uint32_t>(entries.size()), entries.data(),
-                                              desc.constants.size() * sizeof(Constant), desc.constants.data());
+  const Specialization specialization(desc.constants);
   const auto add = [&](vk::ShaderStageFlagBits stage, std::span<const uint32_t> spirv) {
     if (spirv.empty()) return;
     modules.push_back(make_shader(device, spirv));
-    stages.push_back({{}, stage, *modules.back(), "main", &specialization});
+    stages.push_back({{}, stage, *modules.back(), "main", &specialization.info()});
   };
   using Stage = vk::ShaderStageFlagBits;
   add(Stage::eVertex, desc.vertex);

@@ -83,7 +83,7 @@ struct GraphicsDesc {
   uint32_t push_bytes = 0;
   std::vector<vk::VertexInputBindingDescription> vertex_bindings;
   std::vector<vk::VertexInputAttributeDescription> vertex_attributes;
-  std::vector<std::pair<uint32_t, uint32_t>> constants;  ///< specialization constants of all stages: id and value
+  std::vector<uint32_t> constants;  ///< specialization constants 0, 1, ... of all stages
   std::vector<vk::Format> colors;
   vk::Format depth = vk::Format::eD32Sfloat;
   vk::CompareOp depth_compare = vk::CompareOp::eLess;

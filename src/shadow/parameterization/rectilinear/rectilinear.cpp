@@ -152,6 +152,7 @@ void Rectilinear::fit(const Frame& frame) {
 }
 
 std::unique_ptr<CasterDraws> Rectilinear::make_caster_draws(LightKind, uint32_t frames_in_flight) {
+  orient_ = {};  // the analyses are specialized for the light's kind
   return std::make_unique<WarpedCasterDraws>(frames_in_flight);
 }
 
@@ -163,8 +164,7 @@ void Rectilinear::prepare(const Frame& frame, gpu::Recorder& recorder) {
 }
 
 void Rectilinear::make_passes(const ReceiverLookup& receivers) {
-  if (analyses_for_ == receivers.light_kind) return;
-  device_.handle().waitIdle();  // an earlier frame may still use the old ones
+  if (orient_) return;
   using enum gpu::BindingKind;
   std::vector<gpu::BindingKind> kinds = {uniform_buffer, sampled_image,  sampled_image, uniform_buffer,
                                          storage_buffer, storage_buffer, storage_buffer};
@@ -177,7 +177,6 @@ void Rectilinear::make_passes(const ReceiverLookup& receivers) {
   importance_ = pass(shaders::importance_comp);
   kinds.push_back(sampled_image);
   forward_ = pass(shaders::forward_comp);
-  analyses_for_ = receivers.light_kind;
 }
 
 void Rectilinear::record_analysis(const Frame& frame, const ReceiverLookup& receivers, gpu::Recorder& recorder) {

@@ -61,7 +61,6 @@ class Rectilinear final : public Parameterization {
   std::optional<LightImage> light_image_;  ///< of forward and hybrid analysis
   bool backward_ = true, two_dimensional_ = false;
   uint32_t functions_ = 0, collapse_mode_ = 0;  ///< constants that the passes are specialized for
-  uint32_t analyses_for_ = shared::light_any;   ///< the light's kind that they are made for
   std::optional<Light> last_light_;             ///< of the frame that the history is of
 };
 

@@ -25,7 +25,7 @@ void add_piece_inputs(gpu::GraphicsDesc& desc) {
   desc.vertex_attributes.push_back({7, 2, vk::Format::eR32G32B32A32Sfloat, offsetof(shared::PieceSegments, v)});
 }
 
-/// draws of the rest, a cluster
+/// Draws of the rest, of each cluster.
 uint32_t rest_per_cluster(bool bends) {
   return bends ? shared::bent_draws_per_cluster : 1;
 }
@@ -44,7 +44,7 @@ void WarpedCasterDraws::make_pipelines(const gpu::Device& device, const CasterPi
   const auto pass = [&](bool warps_vertices) {
     gpu::GraphicsDesc pieces = plain;
     add_piece_inputs(pieces);
-    pieces.constants = {{4, warps_vertices}};
+    pieces.constants = {shared::light_any, 0, 0, 0, warps_vertices};  // see cut_vertex.glsl
     return gpu::GraphicsPass(device, pieces);
   };
   pass_ = pass(bends_);
