@@ -1,4 +1,5 @@
 // shadewright bake: the shadow of a light that never moves, as a .cpvs file (CPVS 2014).
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <filesystem>

@@ -1,4 +1,5 @@
 // shadewright bench: the papers' tables, their figures beside ours.
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

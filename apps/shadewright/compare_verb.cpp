@@ -1,4 +1,5 @@
 // shadewright compare: techniques side by side against ray tracing.
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <cstdio>

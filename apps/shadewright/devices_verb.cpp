@@ -1,4 +1,5 @@
 // shadewright devices: what it can run on, and which one it picks.
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "shadewright/gpu/device.h"

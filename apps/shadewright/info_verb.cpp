@@ -1,4 +1,5 @@
 // shadewright info: what a .cpvs file holds.
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <memory>

@@ -1,4 +1,5 @@
 // shadewright: the command line. Verbs are in files of their own; here errors become one sentence and an exit code.
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <cstdio>

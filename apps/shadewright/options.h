@@ -1,7 +1,6 @@
 // The flags that verbs share (architecture, section 5): which scene, seen and lit how, on which device.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
 
@@ -10,6 +9,10 @@
 #include "shadewright/scene/load.h"
 #include "shadewright/scene/moments.h"
 #include "shadewright/scene/scene.h"
+
+namespace CLI {
+class App;
+}
 
 namespace shadewright::app {
 

@@ -1,4 +1,5 @@
 // shadewright query: visibility of world points from a baked shadow, a line each.
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <charconv>

@@ -1,4 +1,5 @@
 // shadewright render: one technique, one image.
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <cstdio>

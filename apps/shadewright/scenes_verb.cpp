@@ -1,4 +1,5 @@
 // shadewright scenes: the built-in scenes, listed or written out.
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <memory>

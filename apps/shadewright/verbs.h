@@ -1,7 +1,9 @@
 // The verbs of the command line: each adds its subcommand with what it runs.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace shadewright::app {
 

@@ -235,10 +235,10 @@ class Converter {
 
   void add_warnings() {
     if (points_and_lines_ > 0)
-      warnings_.push_back(std::to_string(points_and_lines_) + " points and lines were left out.");
-    if (has_transparency_) warnings_.push_back("Materials with alpha (masked or blended) are drawn opaque.");
-    if (has_skins_) warnings_.push_back("Skinned meshes are drawn in the pose that they were modelled in.");
-    if (has_more_animations_) warnings_.push_back("Only the first animation of each node is played.");
+      warnings_.emplace_back(std::to_string(points_and_lines_) + " points and lines were left out.");
+    if (has_transparency_) warnings_.emplace_back("Materials with alpha (masked or blended) are drawn opaque.");
+    if (has_skins_) warnings_.emplace_back("Skinned meshes are drawn in the pose that they were modelled in.");
+    if (has_more_animations_) warnings_.emplace_back("Only the first animation of each node is played.");
   }
 
   const aiScene& source_;

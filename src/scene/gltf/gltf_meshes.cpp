@@ -99,8 +99,8 @@ const std::vector<GraphPart>& GltfMeshes::parts(size_t gltf_mesh) {
 void GltfMeshes::add_warnings(std::vector<std::string>& warnings) const {
   if (points_and_lines_ > 0)
     warnings.push_back(std::to_string(points_and_lines_) + " sets of points or lines were left out.");
-  if (has_transparency_) warnings.push_back("Materials with alpha (masked or blended) are drawn opaque.");
-  if (has_morphs_) warnings.push_back("Morph targets are left at rest.");
+  if (has_transparency_) warnings.emplace_back("Materials with alpha (masked or blended) are drawn opaque.");
+  if (has_morphs_) warnings.emplace_back("Morph targets are left at rest.");
 }
 
 }  // namespace shadewright
