@@ -98,7 +98,7 @@ glm::dmat4 CameraMap::post_perspective(double near, double far, double shift) co
 }
 
 TileGrid tile_grid(uint32_t width, uint32_t height) {
-  const uint32_t side = (std::max((width + 79) / 80, (height + 47) / 48) + 1) / 2 * 2;
+  const uint32_t side = (std::max((width + 63) / 64, (height + 35) / 36) + 1) / 2 * 2;
   return {side, (width + side - 1) / side, (height + side - 1) / side};
 }
 

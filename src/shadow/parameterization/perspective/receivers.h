@@ -45,7 +45,7 @@ struct Receivers {
   std::vector<glm::dvec3> corners;  ///< of the hull, each once
 };
 
-/// A grid of square tiles of an even side over an image: at most about 4,000.
+/// A grid of square tiles of an even side over an image: at most about 2,300.
 struct TileGrid {
   uint32_t side, columns, rows;
 };

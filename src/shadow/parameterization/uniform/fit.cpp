@@ -107,15 +107,7 @@ glm::dvec2 smallest_turn(std::span<const glm::dvec2> points) {
   low_y = low_x;
   high_x.fill(-std::numeric_limits<float>::infinity());
   high_y = high_x;
-  glm::dvec2 low(std::numeric_limits<double>::infinity()), high = -low;
-  for (const glm::dvec2& p : points) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-  }
-  const glm::dvec2 center = 0.5 * (low + high);
-  const double unit = std::max(high.x - low.x, high.y - low.y);
-  for (const glm::dvec2& point : points) {
-    const glm::vec2 p((point - center) / unit);
+  const auto take = [&](const glm::vec2& p) {
     for (size_t a = 0; a < angles; ++a) {
       const float x = p.x * cosine[a] + p.y * sine[a], y = p.y * cosine[a] - p.x * sine[a];
       low_x[a] = x < low_x[a] ? x : low_x[a];
@@ -123,6 +115,36 @@ glm::dvec2 smallest_turn(std::span<const glm::dvec2> points) {
       low_y[a] = y < low_y[a] ? y : low_y[a];
       high_y[a] = y > high_y[a] ? y : high_y[a];
     }
+  };
+  // Those farthest in eight directions, counter-clockwise: most points lie within the octagon between them.
+  std::array<glm::dvec2, 8> extremes;
+  std::array<double, 8> farthest;
+  farthest.fill(-std::numeric_limits<double>::infinity());
+  for (const glm::dvec2& p : points) {
+    const std::array<double, 4> along{p.x, p.x + p.y, p.y, p.y - p.x};
+    for (size_t i = 0; i < 8; ++i)
+      if (const double d = i < 4 ? along[i] : -along[i - 4]; d > farthest[i]) {
+        farthest[i] = d;
+        extremes[i] = p;
+      }
+  }
+  const glm::dvec2 low(-farthest[4], -farthest[6]), high(farthest[0], farthest[2]);
+  const glm::dvec2 center = 0.5 * (low + high);
+  const double unit = std::max(high.x - low.x, high.y - low.y);
+  const auto in_units = [&](const glm::dvec2& p) { return glm::vec2((p - center) / unit); };
+  std::array<float, 8> normal_x, normal_y, offset;
+  for (size_t i = 0; i < 8; ++i) {
+    const glm::vec2 a = in_units(extremes[i]), side = in_units(extremes[(i + 1) % 8]) - a;
+    normal_x[i] = -side.y;
+    normal_y[i] = side.x;
+    offset[i] = side.y * a.x - side.x * a.y;
+    take(a);
+  }
+  for (const glm::dvec2& point : points) {
+    const glm::vec2 p = in_units(point);
+    int outside = 0;
+    for (size_t i = 0; i < 8; ++i) outside |= normal_x[i] * p.x + normal_y[i] * p.y + offset[i] < 0 ? 1 : 0;
+    if (outside != 0) take(p);
   }
   size_t best = 0;
   const auto area = [&](size_t a) { return (high_x[a] - low_x[a]) * (high_y[a] - low_y[a]); };
