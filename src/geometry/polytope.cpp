@@ -62,7 +62,8 @@ class Clipper {
       any_inside |= side_of(distance, epsilon) == Side::inside;
       any_outside |= side_of(distance, epsilon) == Side::outside;
     }
-    if (!any_inside) polytope_.faces.clear();
+    // A flat polytope that lies in the plane is inside.
+    if (any_outside && !any_inside) polytope_.faces.clear();
     if (!any_inside || !any_outside) return;
 
     cut_.clear();

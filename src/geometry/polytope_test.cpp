@@ -63,6 +63,15 @@ TEST(Polytope, IsUntouchedByPlanesThatMissOrTouchIt) {
   EXPECT_TRUE(clip(Polytope{}, {{1, 0, 0}, 0.0}).empty());
 }
 
+/// A floor seen from straight above is as deep everywhere as the planes that bound what is seen.
+TEST(Polytope, StaysWhereItIsFlatAndInThePlane) {
+  const Polytope floor = Polytope::from_box({{0, 0.1, 0}, {1, 0.1, 1}});
+  for (const double sign : {1.0, -1.0}) {
+    EXPECT_EQ(clip(floor, {{0, sign, 0}, -0.1 * sign}).points().size(), 24u);
+    EXPECT_TRUE(clip(floor, {{0, sign, 0}, -0.1 * sign - 1e-6}).empty());
+  }
+}
+
 TEST(Polytope, LosesACornerExactly) {
   const Polytope cube = Polytope::from_box({glm::dvec3(0), glm::dvec3(1)});
   const glm::dvec3 diagonal = glm::normalize(glm::dvec3(1));

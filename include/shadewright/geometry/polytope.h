@@ -35,7 +35,8 @@ struct Polytope {
   static Polytope from_box(const Box& box);
 };
 
-/// The part of `polytope` inside `plane`. Slivers below 1e-12 of the polytope's size are dropped.
+/// The part of `polytope` inside `plane`. Slivers below 1e-12 of the polytope's size are dropped; one that is flat and
+/// lies in the plane stays whole.
 Polytope clip(const Polytope& polytope, const Plane& plane);
 /// The part of `polytope` inside all `planes`.
 Polytope clip(const Polytope& polytope, std::span<const Plane> planes);

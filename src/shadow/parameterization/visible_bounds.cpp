@@ -11,8 +11,28 @@ namespace shadewright::shadow {
 
 namespace {
 
+/// What float positions are off by, as a share of their coordinates and distance, with room.
+constexpr double position_slack = 4e-6;
+
 double unordered(uint32_t ordered) {
   return static_cast<double>(std::bit_cast<float>((ordered & 0x80000000u) ? ordered & 0x7fffffffu : ~ordered));
+}
+
+/// Bounds of what was measured in floats hold the points themselves.
+void widen(Box& box, const LightFrame& light, const Frame& frame) {
+  if (box.empty()) return;
+  const glm::dvec3 reach = glm::max(glm::abs(box.min), glm::abs(box.max));
+  const glm::dvec3 eye = glm::abs(frame.camera.eye());
+  double error = position_slack * (eye.x + eye.y + eye.z);
+  if (!light.perspective) {
+    error += position_slack * (reach.x + reach.y + reach.z);
+    box = {box.min - error, box.max + error};
+    return;
+  }
+  const glm::dvec3 position = glm::abs(frame.light.position);
+  error += position_slack * (position.x + position.y + position.z + reach.z);
+  const glm::dvec3 slack(glm::dvec2(error / -box.max.z), error);
+  box = {box.min - slack, {glm::dvec2(box.max) + glm::dvec2(slack), std::min(box.max.z + slack.z, 0.5 * box.max.z)}};
 }
 
 }  // namespace
@@ -57,6 +77,7 @@ std::vector<Box> VisibleBounds::measure(const Frame& frame, gpu::Recorder& recor
         box.min[axis] = unordered(bounds[i].low[axis]);
         box.max[axis] = unordered(bounds[i].high[axis]);
       }
+    widen(box, lights[i], frame);
     result.push_back(box);
   }
   return result;

@@ -74,23 +74,25 @@ void Cascaded::prepare(const Frame& frame, gpu::Recorder& recorder) {
   slices_.clear();
   if (range.nearest <= range.farthest) slices_ = split(stable_ ? steady_range(range) : range, cascades_, lambda_);
   slices_.resize(cascades_, {0, 0});
+  // Rounding must not lose the nearest and the farthest point.
+  std::vector<DepthRange> bounded = slices_;
+  if (range.nearest <= range.farthest) {
+    bounded.front().nearest = 0;
+    bounded.back().farthest = std::numeric_limits<double>::infinity();
+  }
 
   std::vector<LightFrame> lights(cascades_, light);
   std::vector<Box> receivers(cascades_);
   recorder.cpu_stage("fit", [&] {
     for (size_t i = 0; i < cascades_; ++i) {
-      const std::vector<glm::dvec3> points = receivers_in(slice_planes(frame.camera, slices_[i]));
+      const std::vector<glm::dvec3> points = receivers_in(slice_planes(frame.camera, bounded[i]));
       lights[i] = turn_to_fit(light, points);
       receivers[i] = receiver_bounds(lights[i], points);
       if (stable_ && !receivers[i].empty()) hold_steady(steady_[i], light, points, lights[i], receivers[i]);
     }
   });
   if (visible_ && !stable_) {
-    // Rounding must not lose the nearest and the farthest point.
-    std::vector<DepthRange> seen = slices_;
-    seen.front().nearest = 0;
-    seen.back().farthest = std::numeric_limits<double>::infinity();
-    const std::vector<Box> visible = visible_->measure(frame, recorder, lights, seen);
+    const std::vector<Box> visible = visible_->measure(frame, recorder, lights, bounded);
     std::transform(receivers.begin(), receivers.end(), visible.begin(), receivers.begin(), intersect);
   }
 

@@ -39,8 +39,8 @@ std::vector<Plane> slice_planes(const render::CameraView& camera, const DepthRan
   const glm::dvec4 w = glm::row(camera.clip_from_world, 3);
   const double length = glm::length(glm::dvec3(w));
   const glm::dvec3 axis = glm::dvec3(w) / length;
-  planes.push_back({axis, (w.w - slice.nearest) / length});
-  planes.push_back({-axis, (slice.farthest - w.w) / length});
+  if (slice.nearest > 0) planes.push_back({axis, (w.w - slice.nearest) / length});
+  if (std::isfinite(slice.farthest)) planes.push_back({-axis, (slice.farthest - w.w) / length});
   return planes;
 }
 

@@ -17,7 +17,7 @@ double view_depth(const render::CameraView& camera, const glm::dvec3& world);
 /// The view depths of `points`; nearest > farthest for none.
 DepthRange view_depths(const render::CameraView& camera, std::span<const glm::dvec3> points);
 
-/// The camera's half-spaces with the two that bound a slice.
+/// The camera's half-spaces with those that bound a slice: none at 0, or at infinity.
 std::vector<Plane> slice_planes(const render::CameraView& camera, const DepthRange& slice);
 
 }  // namespace shadewright::shadow

@@ -121,6 +121,26 @@ double texel_in_image(const glm::dmat4& light_from_world, const CameraMap& camer
                    area(glm::row(light_from_world, 0), glm::row(light_from_world, 1), glm::row(light_from_world, 3)));
 }
 
+/// fit=view: a box around the camera reaches from its near plane to a million times as far.
+TEST(PerspectiveTest, BoundedReceiversStayInTheirHull) {
+  for (const double size : {10.0, 1e3, 1e5}) {
+    Frame frame;
+    frame.draw_bounds = {{-size, -0.3, -size}, {size, 0.2 * size, size}};
+    Camera camera;
+    camera.eye = {0, 0, 0};
+    camera.target = {0.2, -0.1, -1};
+    frame.camera = render::make_view(camera, 0.01, width, height);
+    frame.light.direction = glm::normalize(glm::dvec3(1, -1, 0.3));
+    Receivers receivers = bounded_receivers(frame);
+    bound(receivers, {});
+    ASSERT_FALSE(receivers.hull.empty());
+    const std::vector<glm::dvec3> points = receiver_points(frame, frame.camera.planes());
+    ASSERT_GT(points.size(), 10u);
+    for (const Plane& plane : receivers.hull.planes())
+      for (const glm::dvec3& point : points) EXPECT_GE(plane.distance(point), -1e-9 * size) << "size " << size;
+  }
+}
+
 TEST(PerspectiveTest, GroundTexelsHaveEqualImageSizeUnderALightFromAbove) {  // figure 3
   const Ground ground;
   Light light;

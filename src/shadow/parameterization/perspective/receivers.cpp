@@ -25,8 +25,8 @@ constexpr std::array<std::array<int, 3>, 21> hull_normals{
      {0, 1, 1},  {0, 1, -1}, {1, 1, 1},  {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}, {0, 1, 2},
      {0, 1, -2}, {0, 2, 1},  {0, 2, -1}, {1, 0, 2},  {1, 0, -2}, {2, 0, 1},  {2, 0, -1}}};
 
-/// The polytope with the normals above that holds `boxes`, which are in [-1, 1]^3.
-Polytope bounding_polytope(std::span<const ReceiverBox> boxes) {
+/// The polytope with the normals above that holds `boxes`, which are in [-1, 1]^3. All of it is before `farthest`.
+Polytope bounding_polytope(std::span<const ReceiverBox> boxes, double farthest) {
   Box bounds;
   // Floats, which are off by less than a tenth of the slack there, in flat arrays of whole vectors, so that it
   // vectorizes. Along the axes far receivers need more.
@@ -61,7 +61,9 @@ Polytope bounding_polytope(std::span<const ReceiverBox> boxes) {
   }
   // A polytope needs a volume.
   const glm::dvec3 half = glm::max(0.5 * bounds.size(), glm::dvec3(image_slack));
-  return clip(Polytope::from_box({bounds.center() - half, bounds.center() + half}), planes);
+  Box box{bounds.center() - half, bounds.center() + half};
+  box.max.z = std::min(box.max.z, farthest);
+  return clip(Polytope::from_box(box), planes);
 }
 
 /// z of CameraMap::post_perspective at a view depth.
@@ -70,12 +72,22 @@ double post_depth(const Receivers& receivers, double depth) {
   return ((far + near) * depth - 2 * far * near) / ((far - near) * depth);
 }
 
+/// What is seen at view depths from `nearest` to `farthest`. In z the slack is one of depth: where the farthest is many
+/// times the nearest, infinity is close to 1.
+Box post_box(const Receivers& receivers, const glm::dvec2& low, const glm::dvec2& high, double nearest,
+             double farthest) {
+  return {{low - image_slack, post_depth(receivers, nearest * (1 - depth_slack))},
+          {high + image_slack, post_depth(receivers, farthest * (1 + depth_slack))}};
+}
+
 }  // namespace
 
 void bound(Receivers& receivers, std::span<const Plane> planes) {
   receivers.hull = {};
   if (!receivers.boxes.empty())
-    receivers.hull = clip(transform(receivers.world_from_post, bounding_polytope(receivers.boxes)), planes);
+    receivers.hull = clip(transform(receivers.world_from_post,
+                                    bounding_polytope(receivers.boxes, post_depth(receivers, 2 * receivers.farthest))),
+                          planes);
   receivers.corners = receivers.hull.points();
   sort_distinct(receivers.corners);
 }
@@ -150,12 +162,8 @@ Receivers visible_receivers(const render::CameraView& camera, std::span<const sh
       if (tile.nearest > tile.farthest) continue;
       const glm::dvec2 first(column * grid.side, row * grid.side);
       const glm::dvec2 end = glm::min(first + static_cast<double>(grid.side), size);
-      const glm::dvec2 low = 2.0 * (first + 0.5) / size - 1.0 - image_slack;
-      const glm::dvec2 high = 2.0 * (end - 0.5) / size - 1.0 + image_slack;
-      receivers.boxes.push_back({{{low, post_depth(receivers, tile.nearest * (1 - depth_slack))},
-                                  {high, post_depth(receivers, tile.farthest * (1 + depth_slack))}},
-                                 tile.low,
-                                 tile.high});
+      const glm::dvec2 low = 2.0 * (first + 0.5) / size - 1.0, high = 2.0 * (end - 0.5) / size - 1.0;
+      receivers.boxes.push_back({post_box(receivers, low, high, tile.nearest, tile.farthest), tile.low, tile.high});
       if (tile.depth > 0 && row % sample_stride == 0 && column % sample_stride == 0)
         append_sample(receivers.samples, rays, glm::floor(0.5 * (first + end)) + 0.5, tile.depth,
                       glm::dvec3(tile.normal));
@@ -184,8 +192,7 @@ Receivers bounded_receivers(const Frame& frame) {
     const glm::dvec4 p(point, 1);
     const double depth = glm::dot(camera.w, p);
     const glm::dvec2 image(glm::dot(camera.x, p) / depth, glm::dot(camera.y, p) / depth);
-    const glm::dvec3 post(image, post_depth(receivers, depth));
-    receivers.boxes.push_back({{post - image_slack, post + image_slack}, glm::vec3(point), glm::vec3(point)});
+    receivers.boxes.push_back({post_box(receivers, image, image, depth, depth), glm::vec3(point), glm::vec3(point)});
     const glm::dvec3 to_light =
         frame.light.kind == LightKind::directional ? -frame.light.direction : frame.light.position - point;
     if (glm::length(to_light) > 0)

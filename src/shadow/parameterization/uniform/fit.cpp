@@ -15,6 +15,9 @@ namespace {
 /// The nearest a perspective light looks, as a share of the farthest receiver's distance: float depth serves this range
 /// well.
 constexpr double near_share = 1e-4;
+/// The least range of depths, as a share of the window's width, and of coordinates: receivers in one plane have none,
+/// and what floats are off by must be small in it.
+constexpr double least_range_of_width = 1e-2, least_range_of_coordinates = 1e-4;
 
 glm::dvec3 view_coordinates(const LightFrame& light, const glm::dvec3& world) {
   return glm::dvec3(light.view_from_world * glm::dvec4(world, 1.0));
@@ -182,13 +185,19 @@ MapView fit_view(const LightFrame& light, const Box& receivers, uint32_t resolut
       1e-6 * std::max({receivers.size().x, receivers.size().y, std::abs(center.x), std::abs(center.y), 1e-9});
   const glm::dvec2 half =
       glm::max(glm::dvec2(0.5 * receivers.size()), smallest) * (1.0 + 2.0 * border_texels / resolution);
-  const double depth = std::max(receivers.size().z, smallest);
+  // Depth is clamped, not cut, before the nearest receiver. Half of the depths are kept for what is there: a grazing
+  // receiver's bias must not reach it, or the casters nearer to the light are lost.
   if (light.perspective) {
-    const double near = -receivers.max.z * 0.99, far = -receivers.min.z * 1.01;
-    view.light_from_world = perspective_window(center - half, center + half, near, far) * light.view_from_world;
+    const double nearest = -receivers.max.z, farthest = -receivers.min.z;
+    const double near = std::min(0.99 * nearest, nearest * farthest / (2 * farthest - nearest));
+    view.light_from_world =
+        perspective_window(center - half, center + half, near, 1.01 * farthest) * light.view_from_world;
   } else {
-    // Depth is clamped, not cut, before the nearest receiver; the margin keeps clamped casters before it.
-    const Box box{{center - half, receivers.min.z - 0.01 * depth}, {center + half, receivers.max.z + 0.01 * depth}};
+    const glm::dvec3 reach = glm::max(glm::abs(receivers.min), glm::abs(receivers.max));
+    const double depth =
+        std::max({receivers.size().z, least_range_of_width * std::max(receivers.size().x, receivers.size().y),
+                  least_range_of_coordinates * std::max({reach.x, reach.y, reach.z}), smallest});
+    const Box box{{center - half, receivers.min.z - 0.01 * depth}, {center + half, receivers.max.z + depth}};
     view.light_from_world = orthographic(box) * light.view_from_world;
   }
   return view;
