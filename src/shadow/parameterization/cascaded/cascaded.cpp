@@ -16,8 +16,6 @@ namespace {
 
 static_assert(shared::max_cascades <= shared::max_map_views);
 
-/// Receivers' bounds are exact up to float rounding of the map coordinates.
-constexpr double rounding_border_texels = 1;
 /// A stable window, and the range that is split, are chosen so many times as large as what they must hold along each
 /// axis, and kept while they hold it and are at most so many times as large (area, ratio) as new ones.
 constexpr double steady_slack = 1.03, steady_waste = 1.3;
@@ -107,7 +105,10 @@ void Cascaded::prepare(const Frame& frame, gpu::Recorder& recorder) {
       // all.
       if (!depth_row) depth_row = glm::row(view.light_from_world, 2);
       view.light_from_world = glm::row(view.light_from_world, 2, *depth_row);
-      view.casters = caster_planes(view, frame.camera, frame.light, true);
+      const Box held{{receivers[i].min.x, receivers[i].min.y, all.min.z},
+                     {receivers[i].max.x, receivers[i].max.y, all.max.z}};
+      view.casters = caster_planes(view, frame.camera, frame.light, true,
+                                   reach_on_receivers(lights[i], held, resolution_, reach_));
     }
     views_.push_back(std::move(view));
   }
@@ -142,16 +143,15 @@ void Cascaded::hold_steady(SteadyWindow& steady, const LightFrame& light, std::s
 
 MapView Cascaded::make_view(const LightFrame& light, Box receivers, const Box& all, glm::vec2& border) const {
   border = glm::vec2(0);
-  if (receivers.empty()) return fit_view(light, receivers, resolution_, 0);
+  if (receivers.empty()) return view_of_window(light, receivers, resolution_);
   // One depth range for all cascades: a receiver may take any of them.
   receivers.min.z = all.min.z;
   receivers.max.z = all.max.z;
-  // A metre of the filter is widest in the window at the nearest receiver; a window twice the light's is enough.
-  const double reach = light.perspective ? std::min(reach_.metres / -all.max.z, light.max_tangent) : reach_.metres;
-  const double texels = reach_.texels + rounding_border_texels + (stable_ ? 0.5 : 0.0);
   const double resolution = resolution_;
+  const double reach = seen_reach(light, -all.max.z, reach_.metres);
+  // Snapping moves a stable window by half a texel.
   const glm::dvec2 half =
-      (glm::dvec2(0.5 * receivers.size()) + reach) * (resolution / std::max(resolution - 2 * texels, 1.0));
+      window_half(light, receivers, resolution_, {reach_.texels + (stable_ ? 0.5 : 0.0), reach_.metres});
   glm::dvec2 center(receivers.center());
   if (stable_) {
     const glm::dvec2 texel = 2.0 * half / resolution;
@@ -162,7 +162,7 @@ MapView Cascaded::make_view(const LightFrame& light, Box receivers, const Box& a
     receivers.max[axis] = center[axis] + half[axis];
     border[axis] = static_cast<float>(reach_.texels / resolution + (reach > 0 ? 0.5 * reach / half[axis] : 0.0));
   }
-  return fit_view(light, receivers, resolution_, 0);
+  return view_of_window(light, receivers, resolution_);
 }
 
 void Cascaded::write_constants(const LightFrame& light, shared::CascadeData& constants) const {

@@ -54,7 +54,7 @@ float footprint(const Spec& spec) {
 /// A filter's taps lie up to a texel from what they ask for: a border of a texel of the coarsest level, a page, keeps
 /// them all inside of the window of their view (or face: no tap needs another one), and so on pages that exist.
 double border_texels(const Spec& spec) {
-  return footprint(spec) > 0 ? 1 + spec.resolution / (shared::page_texels - 2.0) : 1;
+  return footprint(spec) > 0 ? spec.resolution / (shared::page_texels - 2.0) : 0;
 }
 
 uint32_t lod(const std::string& name) {
@@ -196,8 +196,8 @@ void Paged::fit(const Frame& frame, double margin) {
       // The nearest receiver's z is negative, and stays so.
       box.max += light.perspective ? glm::dvec3(wider.x, wider.y, -margin * box.max.z) : wider;
     }
-    MapView view = fit_view(turned, box, spec_.resolution, border_texels(spec_));
-    view.casters = caster_planes(view, frame.camera, frame.light, false);
+    MapView view = fit_view(turned, box, spec_.resolution, {border_texels(spec_), 0});
+    view.casters = caster_planes(view, frame.camera, frame.light, false, 0);
     views_.push_back(std::move(view));
     light_frames_.push_back(turned);
     held_.push_back(box);

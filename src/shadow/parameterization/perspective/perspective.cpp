@@ -31,7 +31,7 @@ Perspective::Perspective(const gpu::Device& device, uint32_t resolution, const P
     : device_(device),
       options_(options),
       resolution_(resolution),
-      plain_(device, resolution, "view"),
+      plain_(device, resolution, "view", options.reach),
       grid_(tile_grid(width, height)) {
   if (!options.from_buffers) return;
   sampler_ = gpu::make_sampler(device, vk::Filter::eNearest);
@@ -83,7 +83,8 @@ Receivers Perspective::find_receivers(const Frame& frame, gpu::Recorder& recorde
 }
 
 void Perspective::choose_views(const Frame& frame, const Receivers& receivers) {
-  WarpOptions options{options_.warp, options_.least_shift, resolution_, options_.from_buffers, nullptr, {}};
+  WarpOptions options{options_.warp, options_.least_shift, resolution_, options_.from_buffers, nullptr, {},
+                      options_.reach};
   std::vector<Box> casters;
   if (options_.from_buffers) {
     if (frame.scene) casters.assign(frame.scene->instance_bounds().begin(), frame.scene->instance_bounds().end());
@@ -106,7 +107,7 @@ void Perspective::choose_views(const Frame& frame, const Receivers& receivers) {
     view.drawn = warp.drawn;
     view.light_from_world = warp.light_from_world;
     if (view.drawn) {
-      view.casters = caster_planes(view, frame.camera, frame.light, true);
+      view.casters = caster_planes(view, frame.camera, frame.light, true, warp.reach);
       drawn += 1;
       fallback += warp.fallback;
       shifts.push_back(warp.shift);

@@ -27,6 +27,7 @@ struct PerspectiveOptions {
   WarpKind warp = WarpKind::best;
   bool least_shift = false;  ///< shift=least
   bool from_buffers = true;  ///< fit=visible; false: fit=view, which waits for nothing
+  FilterReach reach{};       ///< what look-ups read around a receiver, across faces of a point light too
 };
 
 class Perspective final : public Parameterization {

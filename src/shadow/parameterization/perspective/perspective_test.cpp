@@ -148,7 +148,7 @@ TEST(PerspectiveTest, GroundTexelsHaveEqualImageSizeUnderALightFromAbove) {  // 
   const Receivers receivers = ground.seen(light);
   const LightFrame frame = light_frames(light).front();
   const auto size_spread = [&](const Projection& projection) {
-    const auto matrix = fit_projection(projection, frame, receivers, {512, 1, true, true});
+    const auto matrix = fit_projection(projection, frame, receivers, {512, {}, true, true});
     double low = 1e300, high = 0;
     for (const ReceiverSample& sample : receivers.samples) {
       const double size = texel_in_image(*matrix, ground.camera, sample);
@@ -230,7 +230,8 @@ void check_view(const Warp& warp, const Light& light, const LightFrame& frame, c
   view.light_from_world = warp.light_from_world;
   const std::vector<Plane> window = window_planes(frame);
   const std::vector<Plane> hull = hull_planes(receivers.hull, homogeneous_position(light));
-  const std::vector<Plane> casters = warp.drawn ? caster_planes(view, camera, light, true) : std::vector<Plane>{};
+  const std::vector<Plane> casters =
+      warp.drawn ? caster_planes(view, camera, light, true, warp.reach) : std::vector<Plane>{};
   if (warp.drawn) {
     ++tally.views;
     tally.fallbacks += warp.fallback;

@@ -27,6 +27,10 @@ constexpr double depth_margin = 0.01;
 /// clamped there, or the casters nearer to the light are lost to it. A share of w, it is as far everywhere as the scale
 /// there asks.
 constexpr double depth_before = 0.5;
+/// Receivers' images are exact up to float rounding of the map coordinates.
+constexpr double rounding_border_texels = 1;
+/// A warped texel on what the camera sees is seldom so many times as wide as a uniform map's.
+constexpr double widest_texel = 4;
 
 double along(const glm::dvec4& row, const glm::dvec3& point) {
   return glm::dot(row, glm::dvec4(point, 1.0));
@@ -44,6 +48,38 @@ std::vector<glm::dvec3> before_light(std::vector<glm::dvec3> corners, const Ligh
   for (const glm::dvec3& corner : corners) farthest = std::max(farthest, along(distance, corner));
   std::erase_if(corners, [&](const glm::dvec3& corner) { return along(distance, corner) < near_share * farthest; });
   return corners;
+}
+
+/// Across the light's axis, metres to each side.
+std::vector<glm::dvec3> widened(const std::vector<glm::dvec3>& points, const LightFrame& light, double metres) {
+  if (metres == 0) return points;
+  const glm::dvec3 right(glm::row(light.view_from_world, 0)), up(glm::row(light.view_from_world, 1));
+  std::vector<glm::dvec3> result;
+  for (const glm::dvec3& point : points)
+    for (const glm::dvec3& side : {right, -right, up, -up}) result.push_back(point + metres * side);
+  return result;
+}
+
+/// The largest texel of a map at `points`, across the light's axis, metres; 0 for no points.
+double largest_texel(const glm::dmat4& light_from_world, const LightFrame& light, std::span<const glm::dvec3> points,
+                     uint32_t resolution) {
+  const glm::dvec3 right(glm::row(light.view_from_world, 0)), up(glm::row(light.view_from_world, 1));
+  const glm::dmat4 rows = glm::transpose(light_from_world);
+  double largest = 0;
+  for (const glm::dvec3& point : points) {
+    const double w = along(rows[3], point);
+    if (!(w > 0)) continue;
+    const glm::dvec2 image = glm::dvec2(along(rows[0], point), along(rows[1], point)) / w;
+    const auto move = [&](const glm::dvec3& step) {
+      return (glm::dvec2(glm::dot(glm::dvec3(rows[0]), step), glm::dot(glm::dvec3(rows[1]), step)) -
+              image * glm::dot(glm::dvec3(rows[3]), step)) /
+             w;
+    };
+    const glm::dmat2 metres_from_image = glm::inverse(glm::dmat2(move(right), move(up)));
+    const double size = 2.0 / resolution * (glm::length(metres_from_image[0]) + glm::length(metres_from_image[1]));
+    if (std::isfinite(size)) largest = std::max(largest, size);
+  }
+  return largest;
 }
 
 struct Rectangle {
@@ -176,7 +212,7 @@ std::optional<glm::dmat4> fit_projection(const Projection& projection, const Lig
 
   std::vector<glm::dvec2> images;
   double w_low = infinity, w_high = 0;
-  for (const glm::dvec3& corner : before_light(corners, light)) {
+  for (const glm::dvec3& corner : widened(before_light(corners, light), light, options.reach.metres)) {
     const double w = along(projection.w, corner);
     if (!(w > 0)) return std::nullopt;
     w_low = std::min(w_low, w);
@@ -200,14 +236,14 @@ std::optional<glm::dmat4> fit_projection(const Projection& projection, const Lig
   const glm::dvec4 x = (projection.x - center.x * projection.w) / unit.x;
   const glm::dvec4 y = (projection.y - center.y * projection.w) / unit.y;
   const Projection in_units{axis.x * x + axis.y * y, axis.x * y - axis.y * x, projection.w};
-  if (options.exact) {
+  if (options.exact && options.reach.metres == 0) {
     const Rectangle of_boxes = bounding_rectangle(in_units, receivers);
     const glm::dvec2 low = glm::max(window.low, of_boxes.low), high = glm::min(window.high, of_boxes.high);
     if (low.x < high.x && low.y < high.y) window = {low, high};
   }
 
-  const glm::dvec2 half =
-      glm::max(0.5 * window.size(), glm::dvec2(1e-9)) * (1.0 + 2.0 * options.border_texels / options.resolution);
+  const glm::dvec2 half = glm::max(0.5 * window.size(), glm::dvec2(1e-9)) *
+                          widening(options.reach.texels + rounding_border_texels, options.resolution);
   const glm::dvec4 u = (in_units.x - window.center().x * projection.w) / half.x;
   const glm::dvec4 v = (in_units.y - window.center().y * projection.w) / half.y;
 
@@ -225,6 +261,20 @@ std::optional<glm::dmat4> fit_projection(const Projection& projection, const Lig
 }
 
 namespace {
+
+/// What casts a shadow into a look-up around a receiver casts it onto the receiver if it is so much larger. Nothing is
+/// known yet of a map in texels but how large those of the uniform one are.
+std::vector<Box> reaching_casters(const LightFrame& frame, const Receivers& receivers, const WarpOptions& options) {
+  std::vector<Box> casters(options.casters.begin(), options.casters.end());
+  double reach = options.reach.metres;
+  if (options.reach.texels > 0 && options.plain) {
+    std::vector<glm::dvec3> points;
+    for (const ReceiverBox& box : receivers.boxes) points.push_back(glm::dvec3(box.low));
+    reach += options.reach.texels * widest_texel * largest_texel(*options.plain, frame, points, options.resolution);
+  }
+  for (Box& caster : casters) caster = {caster.min - reach, caster.max + reach};
+  return casters;
+}
 
 /// The half-spaces of what a light's view reaches: its window, and the cone of a spot by planes that touch it.
 std::vector<Plane> reach_planes(const Light& light, const LightFrame& frame) {
@@ -251,11 +301,14 @@ Warp choose_warp(const Light& light, const LightFrame& frame, const CameraMap& c
   if (receivers.boxes.empty()) return warp;
   const std::vector<Plane> reach = reach_planes(light, frame);
   Receivers reached = frame.perspective ? inside(receivers, reach) : receivers;
-  if (!options.casters.empty()) keep_shadowable(reached, light, frame, options.casters);
+  if (!options.casters.empty()) {
+    const bool wide = options.reach.texels > 0 || options.reach.metres > 0;
+    const std::vector<Box> reaching = wide ? reaching_casters(frame, reached, options) : std::vector<Box>{};
+    keep_shadowable(reached, light, frame, wide ? reaching : options.casters);
+  }
   bound(reached, reach);
   if (reached.hull.empty()) return warp;
-  // Faces of a point light overlap by the widest filter, so that a tap never leaves its face.
-  FitOptions fit{options.resolution, light.kind == LightKind::point ? 21.0 : 1.0, true, false};
+  FitOptions fit{options.resolution, options.reach, true, false};
   const LightPlane plane(frame, light, before_light(reached.corners, frame), reached.samples);
   const auto texel = [&](const std::optional<glm::dmat4>& matrix) {
     return matrix ? plane.mean_texel(*matrix) : infinity;
@@ -312,6 +365,9 @@ Warp choose_warp(const Light& light, const LightFrame& frame, const CameraMap& c
     warp.light_from_world = *options.plain;
     warp.drawn = warp.fallback = true;
   }
+  warp.reach = options.reach.metres + (options.reach.texels + rounding_border_texels) *
+                                          largest_texel(warp.light_from_world, frame,
+                                                        before_light(reached.corners, frame), options.resolution);
   return warp;
 }
 

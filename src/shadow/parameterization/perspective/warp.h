@@ -31,11 +31,11 @@ Projection light_space_projection(const LightFrame& light, const CameraMap& came
 double least_shift(const Light& light, const LightFrame& frame, const CameraMap& camera, const Receivers& receivers,
                    const Box& scene);
 
-/// light_from_world whose map just holds the receivers, with a border; none where `projection` does not have all of
-/// them in front of it, or no receivers are there.
+/// light_from_world whose map just holds the receivers and what look-ups read around; none where `projection` does not
+/// have all of them in front of it, or no receivers are there.
 struct FitOptions {
   uint32_t resolution = 0;
-  double border_texels = 1;
+  FilterReach reach{};
   bool turn = true;    ///< the map's axes to where its window is smallest; else they are the projection's
   bool exact = false;  ///< takes the receivers' boxes into account, not only their hull
 };
@@ -51,6 +51,7 @@ struct WarpOptions {
   bool seen = true;                   ///< receivers' samples are surface points, not corners of what bounds them
   const glm::dmat4* plain = nullptr;  ///< what uniform,fit=view draws; null: it draws nothing, or is not known
   std::span<const Box> casters;       ///< world bounds that hold all casters; none: not known
+  FilterReach reach{};                ///< what look-ups read around a receiver
 };
 
 /// The matrix of one view.
@@ -60,6 +61,7 @@ struct Warp {
   bool fallback = false;  ///< uniform, since no perspective has smaller texels
   double shift = 0;       ///< of PSM's eye, metres
   double gain = 1;        ///< mean size of a uniform map's texel over this one's
+  double reach = 0;       ///< how far from a receiver look-ups read at most, metres
 };
 
 /// The matrix of the view of `light` along `frame` (the light's only one, or a face's).

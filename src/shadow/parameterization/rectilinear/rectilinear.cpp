@@ -22,8 +22,8 @@ namespace shadewright::shadow {
 
 namespace {
 
-/// Receivers' bounds are exact up to float rounding of the map coordinates.
-constexpr double rounding_border_texels = 1;
+/// A warped texel on what the camera sees is seldom so many times as wide as an unwarped one.
+constexpr double widest_texel = 4;
 /// One pixel of a tile of that size adds to the sums (see importance.comp).
 constexpr uint32_t tile_pixels = 4;
 /// Where nothing is near a shadow's edge (the paper's alpha).
@@ -116,8 +116,12 @@ void Rectilinear::fit(const Frame& frame) {
   const std::vector<glm::dvec3> points = receiver_points(frame, planes);
   const LightFrame light = turn_to_fit(window, points);
   const Box receivers = receiver_bounds(light, points);
-  view_ = fit_view(light, receivers, resolution_, rounding_border_texels);
-  if (view_.drawn) view_.casters = caster_planes(view_, frame.camera, frame.light, true);
+  const FilterReach reach = filter_reach(spec_);
+  view_ = fit_view(light, receivers, resolution_, reach);
+  if (view_.drawn)
+    view_.casters = caster_planes(
+        view_, frame.camera, frame.light, true,
+        reach_on_receivers(light, receivers, resolution_, {widest_texel * (reach.texels + 1), reach.metres}));
 
   shared::WarpConstants& constants = constants_[slot(frame)].mapped<shared::WarpConstants>()[0];
   constants = {};

@@ -15,12 +15,22 @@ namespace {
 /// The nearest a perspective light looks, as a share of the farthest receiver's distance: float depth serves this range
 /// well.
 constexpr double near_share = 1e-4;
+/// Receivers' bounds are exact up to float rounding of the map coordinates.
+constexpr double rounding_border_texels = 1;
 /// The least range of depths, as a share of the window's width, and of coordinates: receivers in one plane have none,
 /// and what floats are off by must be small in it.
 constexpr double least_range_of_width = 1e-2, least_range_of_coordinates = 1e-4;
 
 glm::dvec3 view_coordinates(const LightFrame& light, const glm::dvec3& world) {
   return glm::dvec3(light.view_from_world * glm::dvec4(world, 1.0));
+}
+
+/// Half the size of a window: a receiver that is a point or a line in the light's view still needs an area.
+glm::dvec2 least_half(const Box& window) {
+  const glm::dvec2 center(window.center());
+  const double least =
+      1e-6 * std::max({window.size().x, window.size().y, std::abs(center.x), std::abs(center.y), 1e-9});
+  return glm::max(glm::dvec2(0.5 * window.size()), least);
 }
 
 /// Corners of the part of `box` inside all `planes`.
@@ -171,47 +181,67 @@ LightFrame turn_to_fit(const LightFrame& light, std::span<const glm::dvec3> poin
   return turned;
 }
 
-MapView fit_view(const LightFrame& light, const Box& receivers, uint32_t resolution, double border_texels) {
+double widening(double border_texels, uint32_t resolution) {
+  return resolution / std::max(resolution - 2 * border_texels, 0.5 * resolution);
+}
+
+double seen_reach(const LightFrame& light, double distance, double metres) {
+  return light.perspective ? std::min(metres / distance, light.max_tangent) : metres;
+}
+
+glm::dvec2 window_half(const LightFrame& light, const Box& receivers, uint32_t resolution, const FilterReach& reach) {
+  return (least_half(receivers) + seen_reach(light, -receivers.max.z, reach.metres)) *
+         widening(reach.texels + rounding_border_texels, resolution);
+}
+
+double reach_on_receivers(const LightFrame& light, const Box& receivers, uint32_t resolution,
+                          const FilterReach& reach) {
+  const glm::dvec2 half = window_half(light, receivers, resolution, reach);
+  const double texel = 2 * std::max(half.x, half.y) / resolution * (light.perspective ? -receivers.min.z : 1);
+  return reach.metres + (reach.texels + rounding_border_texels) * texel;
+}
+
+MapView fit_view(const LightFrame& light, const Box& receivers, uint32_t resolution, const FilterReach& reach) {
+  if (receivers.empty()) return view_of_window(light, receivers, resolution);
+  const glm::dvec2 center(receivers.center()), half = window_half(light, receivers, resolution, reach);
+  return view_of_window(light, {{center - half, receivers.min.z}, {center + half, receivers.max.z}}, resolution);
+}
+
+MapView view_of_window(const LightFrame& light, const Box& window, uint32_t resolution) {
   MapView view;
   view.viewport = vk::Rect2D({0, 0}, {resolution, resolution});
-  view.drawn = !receivers.empty();
+  view.drawn = !window.empty();
   if (!view.drawn) {
     view.light_from_world = light.view_from_world;
     return view;
   }
-  // A receiver that is a point or a line in the light's view still needs an area.
-  const glm::dvec2 center(receivers.center());
-  const double smallest =
-      1e-6 * std::max({receivers.size().x, receivers.size().y, std::abs(center.x), std::abs(center.y), 1e-9});
-  const glm::dvec2 half =
-      glm::max(glm::dvec2(0.5 * receivers.size()), smallest) * (1.0 + 2.0 * border_texels / resolution);
+  const glm::dvec2 center(window.center()), half = least_half(window);
   // Depth is clamped, not cut, before the nearest receiver. Half of the depths are kept for what is there: a grazing
   // receiver's bias must not reach it, or the casters nearer to the light are lost.
   if (light.perspective) {
-    const double nearest = -receivers.max.z, farthest = -receivers.min.z;
+    const double nearest = -window.max.z, farthest = -window.min.z;
     const double near = std::min(0.99 * nearest, nearest * farthest / (2 * farthest - nearest));
     view.light_from_world =
         perspective_window(center - half, center + half, near, 1.01 * farthest) * light.view_from_world;
   } else {
-    const glm::dvec3 reach = glm::max(glm::abs(receivers.min), glm::abs(receivers.max));
-    const double depth =
-        std::max({receivers.size().z, least_range_of_width * std::max(receivers.size().x, receivers.size().y),
-                  least_range_of_coordinates * std::max({reach.x, reach.y, reach.z}), smallest});
-    const Box box{{center - half, receivers.min.z - 0.01 * depth}, {center + half, receivers.max.z + depth}};
+    const glm::dvec3 reach = glm::max(glm::abs(window.min), glm::abs(window.max));
+    const double depth = std::max({window.size().z, least_range_of_width * std::max(half.x, half.y),
+                                   least_range_of_coordinates * std::max({reach.x, reach.y, reach.z})});
+    const Box box{{center - half, window.min.z - 0.01 * depth}, {center + half, window.max.z + depth}};
     view.light_from_world = orthographic(box) * light.view_from_world;
   }
   return view;
 }
 
 std::vector<Plane> caster_planes(const MapView& view, const render::CameraView& camera, const Light& light,
-                                 bool receivers_in_camera) {
+                                 bool receivers_in_camera, double reach) {
   std::vector<Plane> planes = frustum_planes(view.light_from_world);
   planes.erase(planes.begin() + 4);  // z >= 0: casters nearer to the light count
   if (receivers_in_camera)
     for (const Plane& plane : camera.planes()) {
       const double towards = light.kind == LightKind::directional ? -glm::dot(plane.normal, light.direction)
                                                                   : plane.distance(light.position);
-      if (towards >= 0) planes.push_back(plane);
+      if (towards >= 0) planes.push_back({plane.normal, plane.offset + reach});
     }
   return planes;
 }

@@ -6,6 +6,7 @@
 #include "shadewright/geometry/box.h"
 #include "shadewright/geometry/polytope.h"
 #include "shadewright/shadow/technique.h"
+#include "shadow/filter/reach.h"
 
 namespace shadewright::shadow {
 
@@ -36,13 +37,28 @@ glm::dvec2 smallest_turn(std::span<const glm::dvec2> points);
 /// angles). Others stay as they are.
 LightFrame turn_to_fit(const LightFrame& light, std::span<const glm::dvec3> points);
 
-/// The view whose map, `resolution` texels an axis, just holds `receivers` (as `receiver_bounds` gives them), with a
-/// border of `border_texels`.
-MapView fit_view(const LightFrame& light, const Box& receivers, uint32_t resolution, double border_texels);
+/// How much wider a map gets, all of it, for a border of so many texels: at most twice.
+double widening(double border_texels, uint32_t resolution);
 
-/// The half-spaces that hold every caster for `view`: those of its matrix but the near one, and those of the camera
-/// that a way from a receiver to the light never leaves.
+/// What look-ups read beyond receivers at `distance` along the axis, as the light sees it: metres, or of a perspective
+/// light a tangent, at most as wide again as its window.
+double seen_reach(const LightFrame& light, double distance, double metres);
+
+/// Half the size of a window that holds `receivers` (as `receiver_bounds` gives them) and what look-ups read around.
+glm::dvec2 window_half(const LightFrame& light, const Box& receivers, uint32_t resolution, const FilterReach& reach);
+
+/// How far from a receiver look-ups read at most in a map so fitted, metres.
+double reach_on_receivers(const LightFrame& light, const Box& receivers, uint32_t resolution, const FilterReach& reach);
+
+/// The view whose map is `window`: bounds as `receiver_bounds` gives them.
+MapView view_of_window(const LightFrame& light, const Box& window, uint32_t resolution);
+
+/// The view whose map, `resolution` texels an axis, just holds `receivers` and what look-ups read around.
+MapView fit_view(const LightFrame& light, const Box& receivers, uint32_t resolution, const FilterReach& reach);
+
+/// The half-spaces that hold every caster for `view`: those of its matrix but the near one, and those of the camera,
+/// `reach` metres outwards, that a way from a receiver to the light never leaves.
 std::vector<Plane> caster_planes(const MapView& view, const render::CameraView& camera, const Light& light,
-                                 bool receivers_in_camera);
+                                 bool receivers_in_camera, double reach);
 
 }  // namespace shadewright::shadow

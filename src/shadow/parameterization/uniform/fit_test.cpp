@@ -35,7 +35,7 @@ TEST_P(FitTest, HoldsEveryReceiver) {
       planes.insert(planes.end(), camera_planes.begin(), camera_planes.end());
       const auto points = receiver_points(frame, planes);
       const LightFrame turned = turn_to_fit(light, points);
-      const MapView view = fit_view(turned, receiver_bounds(turned, points), 1024, 1);
+      const MapView view = fit_view(turned, receiver_bounds(turned, points), 1024, {});
       for (int i = 0; i < 50; ++i) {
         const glm::dvec3 receiver(5 * unit(random), 0.5 + 1.5 * unit(random), 5 * unit(random));
         const auto inside = [&](const std::vector<Plane>& list) {
@@ -56,7 +56,7 @@ TEST_P(FitTest, HoldsEveryReceiver) {
         }
         // Casters on the way to the light are never culled.
         const glm::dvec3 to_light = light.perspective ? frame.light.position - receiver : -3.0 * frame.light.direction;
-        for (const Plane& plane : caster_planes(view, frame.camera, frame.light, true))
+        for (const Plane& plane : caster_planes(view, frame.camera, frame.light, true, 0))
           for (const double t : {0.0, 0.3, 0.999}) ASSERT_GE(plane.distance(receiver + t * to_light), -1e-6);
       }
     }
@@ -76,7 +76,7 @@ TEST(FitTest, TurnsTheMapToADiagonalStrip) {
 }
 
 TEST(FitTest, NoReceiversIsAViewThatIsNotDrawn) {
-  EXPECT_FALSE(fit_view(LightFrame{}, receiver_bounds(LightFrame{}, {}), 512, 1).drawn);
+  EXPECT_FALSE(fit_view(LightFrame{}, receiver_bounds(LightFrame{}, {}), 512, {}).drawn);
 }
 
 }  // namespace

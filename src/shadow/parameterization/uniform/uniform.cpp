@@ -4,17 +4,8 @@
 
 namespace shadewright::shadow {
 
-namespace {
-
-/// Faces of a point light overlap by the widest filter, so that a tap never leaves its face.
-constexpr double filter_border_texels = 20;
-/// Receivers' bounds are exact up to float rounding of the map coordinates.
-constexpr double rounding_border_texels = 1;
-
-}  // namespace
-
-Uniform::Uniform(const gpu::Device& device, uint32_t resolution, std::string_view fit)
-    : fit_(fit), resolution_(resolution) {
+Uniform::Uniform(const gpu::Device& device, uint32_t resolution, std::string_view fit, const FilterReach& reach)
+    : fit_(fit), resolution_(resolution), reach_(reach) {
   if (fit_ == "visible") visible_.emplace(device);
 }
 
@@ -36,11 +27,12 @@ void Uniform::prepare(const Frame& frame, gpu::Recorder& recorder) {
     const std::vector<Box> visible = visible_->measure(frame, recorder, lights);
     std::transform(receivers.begin(), receivers.end(), visible.begin(), receivers.begin(), intersect);
   }
-  const double border = rounding_border_texels + (lights.size() > 1 ? filter_border_texels : 0.0);
   for (uint32_t layer = 0; layer < lights.size(); ++layer) {
-    MapView view = fit_view(lights[layer], receivers[layer], resolution_, border);
+    MapView view = fit_view(lights[layer], receivers[layer], resolution_, reach_);
     view.layer = layer;
-    if (view.drawn) view.casters = caster_planes(view, frame.camera, frame.light, fit_ != "scene");
+    if (view.drawn)
+      view.casters = caster_planes(view, frame.camera, frame.light, fit_ != "scene",
+                                   reach_on_receivers(lights[layer], receivers[layer], resolution_, reach_));
     views_.push_back(std::move(view));
   }
 }

@@ -17,8 +17,8 @@ namespace shadewright::shadow {
 
 class Uniform final : public Parameterization {
  public:
-  /// `fit` is "scene", "view" or "visible".
-  Uniform(const gpu::Device& device, uint32_t resolution, std::string_view fit);
+  /// `fit` is "scene", "view" or "visible"; look-ups read `reach` around a receiver, across faces of a point light too.
+  Uniform(const gpu::Device& device, uint32_t resolution, std::string_view fit, const FilterReach& reach);
 
   Traits traits() const override {
     return {.layered = true, .needs_readback = fit_ == "visible", .without_readback = "choose fit=view"};
@@ -34,6 +34,7 @@ class Uniform final : public Parameterization {
  private:
   std::string fit_;
   uint32_t resolution_;
+  FilterReach reach_;
   std::vector<MapView> views_;
   std::optional<VisibleBounds> visible_;  ///< fit=visible
 };
