@@ -20,6 +20,12 @@ void write_file(const std::filesystem::path& file, std::span<const std::byte> by
 /// Writes `text` so.
 void write_file(const std::filesystem::path& file, std::string_view text);
 
+/// Lets `write` fill a temporary folder, then moves what it wrote into `folder`, which is made if need be: entries of
+/// the same name are replaced, others stay. If `write` throws nothing is left, and what stood there before stays.
+/// FailureError names the folder; where none can be made it comes before `write`.
+void write_folder(const std::filesystem::path& folder,
+                  const std::function<void(const std::filesystem::path& temporary)>& write);
+
 /// A file name for any text: letters, digits and dots stay, the rest becomes dashes.
 std::string file_stem(std::string_view text);
 

@@ -59,8 +59,8 @@ class Study {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Runs every spec, writes pictures, report.json, report.csv and index.html into `folder` (made if need be), and
-/// returns the report. `before` adds what changed against an earlier one.
+/// Runs every spec, writes pictures, report.json, report.csv and index.html into `folder` (see
+/// `write_folder`: whole or not at all), and returns the report. `before` adds what changed against an earlier one.
 Report compare_techniques(Study& study, std::span<const shadow::Spec> specs, const std::filesystem::path& folder,
                           const Report* before = nullptr, const Progress& progress = no_progress);
 

@@ -1,11 +1,9 @@
 #include <fmt/format.h>
 
 #include <set>
-#include <system_error>
 
 #include "shadewright/compare/path_study.h"
 #include "shadewright/compare/study.h"
-#include "shadewright/error.h"
 #include "shadewright/files.h"
 
 namespace shadewright::compare {
@@ -18,13 +16,6 @@ std::string unique_stem(std::string_view spec, std::set<std::string>& taken) {
   std::string unique = stem;
   for (int i = 2; !taken.insert(unique).second; ++i) unique = fmt::format("{}-{}", stem, i);
   return unique;
-}
-
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error)
-    throw FailureError(folder.string(), "can't be made (" + error.message() + ")", "choose another place with -o");
 }
 
 /// A stem a spec, in their order; none is "reference".
@@ -76,11 +67,8 @@ void write_report(const Report& report, const std::filesystem::path& folder, con
   write_file(folder / "index.html", to_html(report, folder, before));
 }
 
-}  // namespace
-
-Report compare_techniques(Study& study, std::span<const shadow::Spec> specs, const std::filesystem::path& folder,
-                          const Report* before, const Progress& progress) {
-  make_folder(folder);
+Report write_techniques(Study& study, std::span<const shadow::Spec> specs, const std::filesystem::path& folder,
+                        const Report* before, const Progress& progress) {
   Report report = study.report();
   const PictureWriter pictures(study, report.width, report.height, folder);
   pictures.truth(report);
@@ -95,14 +83,13 @@ Report compare_techniques(Study& study, std::span<const shadow::Spec> specs, con
   return report;
 }
 
-Report compare_along_path(PathStudy& study, std::span<const shadow::Spec> specs, const std::filesystem::path& folder,
-                          bool every_frame, const Report* before, const Progress& progress) {
-  make_folder(folder);
+Report write_path(PathStudy& study, std::span<const shadow::Spec> specs, const std::filesystem::path& folder,
+                  bool every_frame, const Report* before, const Progress& progress) {
   const std::vector<std::string> stems = file_stems(specs);
   const PictureWriter pictures(study, study.options().width, study.options().height, folder);
   if (every_frame) {
-    make_folder(folder / "reference-frames");
-    for (const std::string& stem : stems) make_folder(folder / (stem + "-frames"));
+    std::filesystem::create_directory(folder / "reference-frames");
+    for (const std::string& stem : stems) std::filesystem::create_directory(folder / (stem + "-frames"));
   }
   Report named;  // holds the pictures' names until there is the report
   named.results.resize(specs.size());
@@ -125,6 +112,26 @@ Report compare_along_path(PathStudy& study, std::span<const shadow::Spec> specs,
     report.results[i].difference = named.results[i].difference;
   }
   write_report(report, folder, before, progress);
+  return report;
+}
+
+}  // namespace
+
+Report compare_techniques(Study& study, std::span<const shadow::Spec> specs, const std::filesystem::path& folder,
+                          const Report* before, const Progress& progress) {
+  Report report;
+  write_folder(folder, [&](const std::filesystem::path& temporary) {
+    report = write_techniques(study, specs, temporary, before, progress);
+  });
+  return report;
+}
+
+Report compare_along_path(PathStudy& study, std::span<const shadow::Spec> specs, const std::filesystem::path& folder,
+                          bool every_frame, const Report* before, const Progress& progress) {
+  Report report;
+  write_folder(folder, [&](const std::filesystem::path& temporary) {
+    report = write_path(study, specs, temporary, every_frame, before, progress);
+  });
   return report;
 }
 
