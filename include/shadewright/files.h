@@ -26,6 +26,11 @@ void write_file(const std::filesystem::path& file, std::string_view text);
 void write_folder(const std::filesystem::path& folder,
                   const std::function<void(const std::filesystem::path& temporary)>& write);
 
+/// Writes `bytes` to standard output and flushes it. FailureError if they, or what was printed before, did not get out.
+void write_standard_output(std::span<const std::byte> bytes);
+/// Writes `text` so.
+void write_standard_output(std::string_view text);
+
 /// A file name for any text: letters, digits and dots stay, the rest becomes dashes.
 std::string file_stem(std::string_view text);
 

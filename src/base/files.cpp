@@ -1,6 +1,8 @@
 #include "shadewright/files.h"
 
 #include <cctype>
+#include <cerrno>
+#include <cstdio>
 #include <fstream>
 #include <system_error>
 
@@ -89,6 +91,18 @@ void write_folder(const fs::path& folder, const std::function<void(const fs::pat
   } catch (const fs::filesystem_error& failure) {
     refuse(failure.code());
   }
+}
+
+void write_standard_output(std::span<const std::byte> bytes) {
+  errno = 0;
+  const bool written = std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size();
+  if (std::fflush(stdout) == 0 && written && std::ferror(stdout) == 0) return;
+  const std::string why = errno == 0 ? "" : " (" + std::generic_category().message(errno) + ")";
+  throw FailureError("standard output", "can't be written" + why, "check where it is redirected to");
+}
+
+void write_standard_output(std::string_view text) {
+  write_standard_output(std::as_bytes(std::span(text)));
 }
 
 std::string file_stem(std::string_view text) {
