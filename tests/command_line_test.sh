@@ -61,7 +61,8 @@ refuses 2 'one of auto, none' render builtin:spheres -t rmsm,uniquify=some -o x.
 refuses 2 'not built yet' view
 refuses 2 'shadewright render --help' render
 refuses 2 "'nonsense' is not a verb; see shadewright --help" nonsense
-refuses 2 'shadewright --help'
+refuses 2 'no verb is given; see shadewright --help'
+refuses 2 "'--nonsense' is not a verb" --nonsense
 refuses 2 "folder 'no/such/folder' does not exist" render builtin:spheres -t sm -o no/such/folder/x.png "${small[@]}"
 refuses 2 'does not exist' render builtin:spheres -t sm -o x.png --mask no/x.png "${small[@]}"
 refuses 2 'does not exist' bake builtin:spheres -r 64 -o x.cpvs --json no/x.json --quiet

@@ -25,7 +25,7 @@ int fail(const std::string& sentence, int code) {
 std::string wrong_verb(const CLI::App& app, std::string_view word) {
   if (word.empty()) return "no verb is given; see shadewright --help";
   const auto named = [&](const CLI::App* verb) { return verb->get_name() == word; };
-  if (word.starts_with('-') || !app.get_subcommands(named).empty()) return "";
+  if (app.get_option_no_throw(std::string(word)) || !app.get_subcommands(named).empty()) return "";
   if (std::ranges::find(later_verbs, word) != std::end(later_verbs))
     return fmt::format("'{}' is not built yet; see shadewright --help for what is", word);
   return fmt::format("'{}' is not a verb; see shadewright --help", word);
@@ -62,9 +62,7 @@ int main(int argc, char** argv) {
     run(app, argc, argv);
     return 0;
   } catch (const CLI::ParseError& error) {
-    return fail(
-        fmt::format("{}; see shadewright {}--help", error.what(), verb.starts_with('-') ? "" : std::string(verb) + " "),
-        2);
+    return fail(fmt::format("{}; see shadewright {} --help", error.what(), verb), 2);
   } catch (const shadewright::InputError& error) {
     return fail(error.what(), 2);
   } catch (const shadewright::app::Interrupted& interrupted) {
