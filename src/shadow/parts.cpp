@@ -120,12 +120,9 @@ std::string combinations_help() {
   }
   text += "Not built yet\n";
   for (const auto p : names_on("parameterization"))
-    for (const auto s : names_on("storage")) {
-      std::string filters;
+    for (const auto s : names_on("storage"))
       for (const auto f : names_on("filter"))
-        if (!is_built(p, s, f) && why_refused(p, s, f).empty()) filters += fmt::format(" {}", f);
-      if (!filters.empty()) text += fmt::format("  {}/{}/:{}\n", p, s, filters);
-    }
+        if (!is_built(p, s, f) && why_refused(p, s, f).empty()) text += fmt::format("  {}/{}/{}\n", p, s, f);
   text += "Refused\n";
   for (const Refusal& r : refusals)
     text += fmt::format("  {}/{}/{}: {}\n", r.parameterization.empty() ? "*" : r.parameterization,
