@@ -158,12 +158,13 @@ works info sun.cpvs && grep -q '512x512x512' stdout || fail "info does not tell 
 printf '0 100 0\n0 100 0 0 1 0\n' | "$shadewright" query sun.cpvs --filter 9 >answers 2>stderr || fail "query: $(cat stderr)"
 [ "$(cat answers)" = "$(printf '1\n1')" ] || fail "points above everything are not lit: $(cat answers)"
 coproc talk { "$shadewright" query sun.cpvs 2>talk-errors; }
+talker=$talk_PID
 for i in 1 2; do
   echo '0 100 0' >&"${talk[1]}"
   read -r -t 20 answer <&"${talk[0]}" && [ "$answer" = 1 ] || fail "query does not answer line by line: $answer"
 done
 exec {talk[1]}>&-
-wait "$talk_PID" || fail "query: $(cat talk-errors)"
+wait "$talker" || fail "query: $(cat talk-errors)"
 seq 200000 | sed 's/.*/0 100 0/' | "$shadewright" query sun.cpvs | sort | uniq -c | grep -q '^ *200000 1$' ||
   fail "query loses lines"
 "$shadewright" query sun.cpvs <<<'0 100 0' >/dev/full 2>stderr

@@ -12,10 +12,7 @@ volatile std::sig_atomic_t stop_asked = 0;
 }  // namespace
 
 Progress interruptible(Progress progress) {
-  const auto ask = [](int signal) {
-    stop_asked = 1;
-    std::signal(signal, SIG_DFL);
-  };
+  const auto ask = [](int) { stop_asked = 1; };
   std::signal(SIGINT, ask);
   std::signal(SIGTERM, ask);
   return [progress = std::move(progress)](std::string_view task, double fraction) {

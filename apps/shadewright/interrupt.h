@@ -12,8 +12,7 @@ struct Interrupted {
   std::string left = "nothing was written";  ///< what there is of the work
 };
 
-/// `progress`, but it throws Interrupted once the program was told to stop. Installs the signal handlers; told a second
-/// time, the program ends at once.
+/// `progress`, but it throws Interrupted once the program was told to stop. Installs the signal handlers.
 Progress interruptible(Progress progress);
 
 }  // namespace shadewright::app
