@@ -59,9 +59,31 @@ refuses 2 'leave tessellation out' render builtin:spheres -t rectilinear/moments
 refuses 2 'analysis_scale=1' render builtin:spheres -t rmsm,analysis_scale=2,uniquify=none -o x.png "${small[@]}"
 refuses 2 'one of auto, none' render builtin:spheres -t rmsm,uniquify=some -o x.png "${small[@]}"
 refuses 2 'not built yet' view
-refuses 2 'help' render
-refuses 2 'help' nonsense
-refuses 1 'written' render builtin:spheres -t sm -o no/such/folder/x.png "${small[@]}"
+refuses 2 'shadewright render --help' render
+refuses 2 "'nonsense' is not a verb; see shadewright --help" nonsense
+refuses 2 'no verb is given; see shadewright --help'
+refuses 2 "'--nonsense' is not a verb" --nonsense
+refuses 2 "folder 'no/such/folder' does not exist" render builtin:spheres -t sm -o no/such/folder/x.png "${small[@]}"
+refuses 2 'does not exist' render builtin:spheres -t sm -o x.png --mask no/x.png "${small[@]}"
+refuses 2 'does not exist' bake builtin:spheres -r 64 -o x.cpvs --json no/x.json --quiet
+refuses 2 'does not exist' scenes spheres -o no/x.glb
+refuses 2 'goes there too' render builtin:spheres -t sm -o x.png --mask ./x.png "${small[@]}"
+refuses 2 'goes there too' render builtin:spheres -t sm -o - --json - "${small[@]}"
+refuses 2 'from 1 to 160' render builtin:spheres -t sm -o x.png --fov nan "${small[@]}"
+refuses 2 'from 1 to 160' compare builtin:spheres -t sm -o out --fov 0 "${small[@]}"
+refuses 2 'memory' bake builtin:spheres -r 64 -o x.cpvs --memory nan --quiet
+refuses 2 'leave one of them out' compare builtin:street -t sm -o out --path main --target 1,2,3 "${small[@]}"
+refuses 2 'debug' render builtin:spheres -t ray -o x.png --debug shadow-map "${small[@]}"
+refuses 2 'debug' compare builtin:spheres -t sm -t ray -o out --debug cascades "${small[@]}"
+refuses 2 'missing.cpvs' compare builtin:spheres -t sm@256 -t cpvs,file=missing.cpvs -o out "${small[@]}"
+refuses 2 "'asm' sets" render builtin:spheres -t asm,refine=none -o x.png "${small[@]}"
+
+# Standard output that is full.
+for arguments in "--help" "scenes" "render builtin:spheres -t sm@256 --size 16x16 --quiet -o -"; do
+  "$shadewright" $arguments >/dev/full 2>stderr
+  [ $? -eq 1 ] && grep -q 'standard output' stderr || fail "$arguments to a full disk: exit $? $(cat stderr)"
+done
+rm -f stderr
 
 works devices && grep -q '^\*' stdout || fail "devices marks none"
 works scenes && grep -q sandbox stdout || fail "scenes lists no sandbox"
@@ -89,6 +111,29 @@ works compare builtin:spheres -t sm@256..512 -t pcf@256 -o out --size 160x90 --r
 for file in index.html report.json report.csv reference.png; do [ -s "out/$file" ] || fail "compare wrote no $file"; done
 grep -q '"schema": "shadewright.compare/1"' out/report.json || fail "report.json has no schema"
 [ "$(grep -c '"technique"' out/report.json)" -eq 3 ] || fail "the sweep has not three results"
+cp out/report.json out/reference.png .
+"$shadewright" compare builtin:spheres -t sm@256 -t cpvs,file=missing.cpvs -o out "${small[@]}" 2>stderr
+[ $? -eq 2 ] && cmp -s report.json out/report.json && cmp -s reference.png out/reference.png && [ ! -e out/out.part ] ||
+  fail "a comparison that was refused changed an earlier one"
+"$shadewright" compare builtin:spheres -t sm@256 -o report.json "${small[@]}" 2>stderr
+[ $? -eq 2 ] && grep -q 'folder' stderr || fail "a file as a folder: $(cat stderr)"
+timeout --preserve-status -s INT 2 "$shadewright" compare builtin:landscape -t sm@256 -t cpvs@131072 -o stopped --size 160x90 \
+  --repeat 1 --quiet >stdout 2>stderr
+[ $? -eq 130 ] && grep -q 'nothing was written' stderr || fail "an interrupted comparison says: $(cat stderr)"
+[ -z "$(ls | grep stopped)" ] || fail "an interrupted comparison left $(ls | grep stopped)"
+works compare -t sm@256 builtin:spheres -t csm@256 -t ray -o debug --debug cascades --debug shadow-map "${small[@]}"
+[ -s debug/csm-256-cascades.png ] && [ -s debug/sm-256-shadow-map.png ] && [ ! -e debug/sm-256-cascades.png ] ||
+  fail "compare --debug wrote $(ls debug)"
+grep -q '"csm-256-cascades.png"' debug/report.json && [ "$(grep -c '"debug"' debug/report.json)" -eq 2 ] ||
+  fail "report.json does not name the debug images"
+works compare builtin:street --frames 2 -t csm@256 -o debug-path --debug cascades "${small[@]}"
+[ -s debug-path/csm-256-cascades.png ] || fail "no debug image along a path"
+works compare builtin:spheres -t sm -t ray -o x --debug list && grep -q '^sm: .*shadow-map' stdout ||
+  fail "compare --debug list: $(cat stdout)"
+works render builtin:spheres -t ray -o x.png --debug list && [ ! -s stdout ] || fail "ray has debug images: $(cat stdout)"
+printf 'v -5 0 -5\nv 5 0 -5\nv 5 0 5\nv -5 0 5\nf 4 3 2 1\n' >floor.obj
+works compare floor.obj -t sm@256 -o dark --sun 0,-60 --eye 0,9,0 --target 0,0,0.1 --size 32x32 --repeat 0 &&
+  grep -q 'nothing was compared' stderr && grep -q 'nothing was compared' dark/report.json || fail "nothing to compare, not a word"
 works compare builtin:spheres -t sm@512 -o again --against out/report.json --size 160x90 --repeat 1
 grep -q 'against' stdout || fail "compare --against says nothing"
 grep -qE '(src|href|url)[=(]"?https?:' out/index.html && fail "index.html refers to the network"
@@ -112,8 +157,44 @@ cmp -s sun.cpvs again.cpvs || fail "another number of threads bakes other bytes"
 works info sun.cpvs && grep -q '512x512x512' stdout || fail "info does not tell the resolution"
 printf '0 100 0\n0 100 0 0 1 0\n' | "$shadewright" query sun.cpvs --filter 9 >answers 2>stderr || fail "query: $(cat stderr)"
 [ "$(cat answers)" = "$(printf '1\n1')" ] || fail "points above everything are not lit: $(cat answers)"
-printf '1 2\n' | "$shadewright" query sun.cpvs >answers 2>stderr
-[ $? -eq 2 ] && grep -q 'line 1' stderr || fail "query does not name the bad line: $(cat stderr)"
+coproc talk { "$shadewright" query sun.cpvs 2>talk-errors; }
+talker=$talk_PID
+for i in 1 2; do
+  echo '0 100 0' >&"${talk[1]}"
+  read -r -t 20 answer <&"${talk[0]}" && [ "$answer" = 1 ] || fail "query does not answer line by line: $answer"
+done
+exec {talk[1]}>&-
+wait "$talker" || fail "query: $(cat talk-errors)"
+seq 200000 | sed 's/.*/0 100 0/' | "$shadewright" query sun.cpvs | sort | uniq -c | grep -q '^ *200000 1$' ||
+  fail "query loses lines"
+"$shadewright" query sun.cpvs <<<'0 100 0' >/dev/full 2>stderr
+[ $? -eq 1 ] && grep -q 'standard output' stderr || fail "query to a full disk: $(cat stderr)"
+printf '0 100 0\n1 2\n' >points.txt
+"$shadewright" query sun.cpvs <points.txt >answers 2>stderr
+[ $? -eq 2 ] && grep -q 'line 2' stderr || fail "query does not name the bad line: $(cat stderr)"
+[ ! -s answers ] || fail "lines that wait together are not answered together"
+cat >far.obj <<'END'
+v 4499950 0 499950
+v 4500050 0 499950
+v 4500050 0 500050
+v 4499950 0 500050
+v 4499990 10 499990
+v 4500010 10 499990
+v 4500010 10 500010
+v 4499990 10 500010
+f 4 3 2 1
+f 8 7 6 5
+END
+works bake far.obj -r 2048 --sun 0,90 -o far.cpvs --quiet
+printf '%s 0 500000.1 0 1 0\n' 4500009.7 4500010.3 4499989.7 4499990.3 | "$shadewright" query far.cpvs >answers 2>stderr
+[ "$(tr '\n' ' ' <answers)" = "0 1 1 0 " ] || fail "points far from zero: $(cat answers stderr)"
+works compare far.obj -t sm@256 -o far --sun 20,50 "${small[@]}"
+eye=$(tr -d ' \n' <far/report.json | sed 's/.*"eye":\[\([^]]*\)\],"target":\[\([^]]*\)\].*/\1/')
+target=$(tr -d ' \n' <far/report.json | sed 's/.*"eye":\[\([^]]*\)\],"target":\[\([^]]*\)\].*/\2/')
+case $eye in 4[45]*) ;; *) fail "report.json's eye is not in the file's coordinates: $eye" ;; esac
+works compare far.obj -t sm@256 -o far-again --sun 20,50 --eye "$eye" --target "$target" "${small[@]}"
+cmp -s far/reference-mask.png far-again/reference-mask.png || fail "report.json's camera, typed back, sees something else"
+works bake builtin:spheres -r 64 -o x.cpvs --verbose && grep -q ' s  ' stderr || fail "bake --verbose tells no stages"
 head -c 1000 sun.cpvs >cut.cpvs
 "$shadewright" info cut.cpvs >stdout 2>stderr
 [ $? -eq 2 ] && grep -q 'cut.cpvs' stderr || fail "info of a truncated file: $(cat stderr)"

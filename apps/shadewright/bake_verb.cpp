@@ -1,7 +1,8 @@
 // shadewright bake: the shadow of a light that never moves, as a .cpvs file (CPVS 2014).
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -22,7 +23,7 @@ struct Flags {
   LightFlags light;
   std::string scene, output, json, bounds, closed = "auto", resolving = "stabbed";
   uint32_t depth_bits = 0;
-  bool quiet = false, compress = false;
+  bool quiet = false, verbose = false, compress = false;
   voxel::BakeOptions options;
 };
 
@@ -57,6 +58,8 @@ nlohmann::ordered_json to_json(const voxel::BakeResult& result, const std::strin
 
 void run(Flags flags) {
   if (flags.output == "-") throw InputError("-o -", "a baked shadow is a file to be mapped", "name a file");
+  check_outputs(std::array<Output, 2>{{{"-o", flags.output}, {"--json", flags.json}}});
+  check_range("--memory", flags.options.memory_gigabytes, 0.05, 4096);
   flags.options.closed = flags.closed == "all"    ? voxel::ClosedMode::all
                          : flags.closed == "none" ? voxel::ClosedMode::none
                                                   : voxel::ClosedMode::automatic;
@@ -82,6 +85,9 @@ void run(Flags flags) {
   bar.clear();
   for (const std::string& note : notes) fmt::print(stderr, "{}\n", note);
   for (const std::string& note : result.statistics.components.notes) fmt::print(stderr, "{}\n", note);
+  if (flags.verbose)
+    for (const voxel::StageSeconds& stage : result.statistics.stages)
+      fmt::print(stderr, "{:>8.2f} s  {}\n", stage.seconds, stage.name);
   const double map_bytes = 2.0 * result.shadow.light().size() * result.shadow.light().size();
   fmt::print(stderr,
              "{}: {} triangles at {}x{}x{}, {:.1f} s, {:.1f} MB and a grid of {:.1f} MB ({:.4f} % of a 16-bit map), "
@@ -114,8 +120,7 @@ void add_bake(CLI::App& app) {
   verb->add_option("--bounds", flags->bounds,
                    "Only this box needs shadows: X0,Y0,Z0,X1,Y1,Z1 in the file's coordinates");
   verb->add_option("--memory", flags->options.memory_gigabytes, "Give up rather than hold more, GB")
-      ->capture_default_str()
-      ->check(CLI::Range(0.05, 4096.0));
+      ->capture_default_str();
   verb->add_option("--threads", flags->options.threads, "0 = all cores")
       ->capture_default_str()
       ->check(CLI::Range(0, 1024));
@@ -129,6 +134,7 @@ void add_bake(CLI::App& app) {
                  "Compress the file (zstd): smaller on disk, but read into memory instead of mapped");
   verb->add_option("--json", flags->json, "Also write statistics; - is standard output");
   verb->add_flag("--quiet", flags->quiet, "No progress, no remarks");
+  verb->add_flag("--verbose", flags->verbose, "Also tell how long each stage took");
   verb->footer("Example: shadewright bake builtin:landscape -r 65536 -o sun.cpvs");
   verb->callback([flags] { run(*flags); });
 }

@@ -1,7 +1,7 @@
 // shadewright bench: the papers' tables, their figures beside ours.
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <memory>
@@ -64,7 +64,11 @@ void run(const Flags& flags) {
       write_file(options.folder / (name + ".json"), to_json(tables).dump(2) + "\n");
       write_file(options.folder / (name + ".md"), to_markdown(tables));
     });
-    paper->run(bench);
+    try {
+      paper->run(bench);
+    } catch (const Interrupted&) {
+      throw Interrupted{"finished tables are in " + options.folder.string()};
+    }
   }
 }
 

@@ -1,6 +1,7 @@
 // shadewright compare: techniques side by side against ray tracing.
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <fstream>
@@ -9,6 +10,8 @@
 #include <optional>
 #include <span>
 
+#include "debug_images.h"
+#include "interrupt.h"
 #include "options.h"
 #include "shadewright/compare/approximation.h"
 #include "shadewright/compare/path_study.h"
@@ -64,13 +67,13 @@ void print_table(const compare::Report& report) {
 
 /// One sentence on how the truth of the points in `study` differs from that of the triangles they stand for.
 std::string cost_of_points(const SceneFlags& flags, const gpu::Device& device, const compare::Study& study,
-                           ProgressBar& progress) {
+                           ProgressBar& bar, const Progress& progress) {
   SceneFlags as_triangles = flags;
   as_triangles.points = "off";
   as_triangles.quiet = true;
-  const View view = load_view(as_triangles, progress);
+  const View view = load_view(as_triangles, bar, progress);
   const compare::Study exact(device, view.scene, view.camera, view.light, {view.width, view.height, 0, 0, true},
-                             progress.callback());
+                             progress);
   const std::vector<float> shown(study.reference().begin(), study.reference().end());
   const auto error = compare::approximation_error(exact.points(), exact.reference(), study.points(), shown, view.light);
   return fmt::format(
@@ -80,8 +83,8 @@ std::string cost_of_points(const SceneFlags& flags, const gpu::Device& device, c
 }
 
 compare::Report compare_view(const Flags& flags, const View& view, const gpu::Device& device,
-                             std::span<const shadow::Spec> specs, const compare::Report* before,
-                             ProgressBar& progress) {
+                             std::span<const shadow::Spec> specs, const compare::Report* before, ProgressBar& bar,
+                             const Progress& progress) {
   const compare::StudyOptions options{view.width, view.height, flags.scene.repeat, flags.scene.reference_samples, true};
   if (!view.moments.empty()) {
     if (flags.against_triangles)
@@ -89,19 +92,18 @@ compare::Report compare_view(const Flags& flags, const View& view, const gpu::De
                        "leave --path, --frames and --sun-to out");
     compare::PathStudy study(device, view.scene, view.path, view.moments, options);
     study.add_notes(view.notes);
-    return compare::compare_along_path(study, specs, flags.output, flags.every_frame, before, progress.callback());
+    return compare::compare_along_path(study, specs, flags.output, flags.every_frame, before, progress,
+                                       flags.scene.debug);
   }
   if (flags.every_frame)
     throw InputError("--every-frame", "there is only one frame", "give --path, --frames or --sun-to as well");
-  compare::Study study(device, view.scene, view.camera, view.light, options, progress.callback());
+  compare::Study study(device, view.scene, view.camera, view.light, options, progress);
   study.add_notes(view.notes);
   if (flags.against_triangles) {
-    const std::string cost = cost_of_points(flags.scene, device, study, progress);
+    const std::string cost = cost_of_points(flags.scene, device, study, bar, progress);
     study.add_notes(std::span(&cost, 1));
-    progress.clear();
-    if (!flags.scene.quiet) fmt::print(stderr, "{}\n", cost);
   }
-  return compare::compare_techniques(study, specs, flags.output, before, progress.callback());
+  return compare::compare_techniques(study, specs, flags.output, before, progress, flags.scene.debug);
 }
 
 void run(const Flags& flags) {
@@ -113,15 +115,28 @@ void run(const Flags& flags) {
   std::optional<compare::Report> before;
   if (!flags.against.empty()) before = read_report(flags.against);
 
-  ProgressBar progress(flags.scene.quiet);
-  const View view = load_view(flags.scene, progress);
+  if (asks_for_list(flags.scene.debug)) {
+    const gpu::Device device(device_options(flags.scene));
+    for (const shadow::Spec& spec : specs)
+      fmt::print("{}: {}\n", spec.text, fmt::join(debug_names(device, spec), ", "));
+    return;
+  }
+  if (std::filesystem::exists(flags.output) && !std::filesystem::is_directory(flags.output))
+    throw InputError("-o " + flags.output, "it is a file, the report needs a folder", "name another one");
+
+  ProgressBar bar(flags.scene.quiet);
+  const Progress progress = interruptible(bar.callback());
+  const View view = load_view(flags.scene, bar, progress);
   if (flags.techniques.empty())
     std::erase_if(specs, [&](const shadow::Spec& spec) { return !shadow::serves(spec, view.light.kind); });
+  check_specs(specs, view);
   const gpu::Device device(device_options(flags.scene));
-  const compare::Report report = compare_view(flags, view, device, specs, before ? &*before : nullptr, progress);
-  progress.clear();
+  check_debug(device, specs, flags.scene.debug);
+  const compare::Report report = compare_view(flags, view, device, specs, before ? &*before : nullptr, bar, progress);
+  bar.clear();
   check_validation(device);
   if (flags.scene.quiet) return;
+  print_later_notes(report.notes, view);
   print_table(report);
   if (before) fmt::print("\nagainst {}\n{}", flags.against, compare::describe_changes(*before, report));
   fmt::print("report: {}\n", (std::filesystem::path(flags.output) / "index.html").string());
@@ -135,7 +150,8 @@ void add_compare(CLI::App& app) {
   flags->scene.add_to(*verb);
   verb->add_option("-t,--technique", flags->techniques,
                    "A technique as a SPEC, or a sweep like sm@512..4096; repeatable")
-      ->take_all();
+      ->take_all()
+      ->allow_extra_args(false);
   verb->add_option("-o,--output", flags->output, "Folder for index.html, report.json, report.csv and pictures")
       ->required();
   verb->add_option("--against", flags->against, "An earlier report.json: tell what changed");

@@ -1,7 +1,8 @@
 // shadewright info: what a .cpvs file holds.
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
+#include <array>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -15,6 +16,7 @@ namespace shadewright::app {
 namespace {
 
 void run(const std::string& file, const std::string& json) {
+  check_outputs(std::array<Output, 1>{{{"--json", json}}});
   const voxel::VoxelShadow shadow = voxel::open(file);
   const voxel::ShadowProperties& p = shadow.properties();
   const std::string kind = p.light.kind == LightKind::spot ? "spot" : "directional";
@@ -66,7 +68,9 @@ void add_info(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("info", "Tell what a .cpvs file holds");
   verb->add_option("FILE", *file, "FILE.cpvs")->required();
   verb->add_option("--json", *json, "Write it as JSON; - is standard output");
-  verb->footer("Example: shadewright info sun.cpvs");
+  verb->footer(
+      "Example: shadewright bake builtin:landscape -r 4096 -o sun.cpvs\n"
+      "         shadewright info sun.cpvs");
   verb->callback([file, json] { run(*file, *json); });
 }
 

@@ -1,21 +1,45 @@
 // shadewright: the command line. Verbs are in files of their own; here errors become one sentence and an exit code.
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdio>
+#include <iostream>
 
 #include "interrupt.h"
 #include "shadewright/error.h"
+#include "shadewright/files.h"
 #include "verbs.h"
 
 namespace {
 
 /// The verbs of the contract that are not there yet are refused by name, instead of being unknown words.
-constexpr const char* later_verbs[] = {"view"};
+constexpr std::string_view later_verbs[] = {"view"};
 
 int fail(const std::string& sentence, int code) {
   fmt::print(stderr, "shadewright: {}\n", sentence);
   return code;
+}
+
+/// What is wrong with the first word, where a verb must stand; empty if nothing is. (CLI11 would speak of subcommands.)
+std::string wrong_verb(const CLI::App& app, std::string_view word) {
+  if (word.empty()) return "no verb is given; see shadewright --help";
+  const auto named = [&](const CLI::App* verb) { return verb->get_name() == word; };
+  if (app.get_option_no_throw(std::string(word)) || !app.get_subcommands(named).empty()) return "";
+  if (std::ranges::find(later_verbs, word) != std::end(later_verbs))
+    return fmt::format("'{}' is not built yet; see shadewright --help for what is", word);
+  return fmt::format("'{}' is not a verb; see shadewright --help", word);
+}
+
+/// Parses and runs. Whatever was printed is flushed.
+void run(CLI::App& app, int argc, char** argv) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    app.exit(help);
+  }
+  std::cout.flush();
+  shadewright::write_standard_output(std::string_view());
 }
 
 }  // namespace
@@ -32,22 +56,17 @@ int main(int argc, char** argv) {
   shadewright::app::add_info(app);
   shadewright::app::add_query(app);
   shadewright::app::add_devices(app);
-  if (argc > 1)
-    for (const char* verb : later_verbs)
-      if (std::string_view(argv[1]) == verb)
-        return fail(fmt::format("'{}' is not built yet; see shadewright --help for what is", verb), 2);
+  const std::string_view verb = argc > 1 ? argv[1] : "";
+  if (const std::string problem = wrong_verb(app, verb); !problem.empty()) return fail(problem, 2);
   try {
-    app.parse(argc, argv);
+    run(app, argc, argv);
     return 0;
-  } catch (const CLI::Success& help) {
-    return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    return fail(
-        fmt::format("{}; see shadewright {} --help", error.what(), argc > 1 && argv[1][0] != '-' ? argv[1] : ""), 2);
+    return fail(fmt::format("{}; see shadewright {} --help", error.what(), verb), 2);
   } catch (const shadewright::InputError& error) {
     return fail(error.what(), 2);
-  } catch (const shadewright::app::Interrupted&) {
-    return fail("interrupted; nothing was written", 130);
+  } catch (const shadewright::app::Interrupted& interrupted) {
+    return fail("interrupted; " + interrupted.left, 130);
   } catch (const std::bad_alloc&) {
     return fail("out of memory; use a smaller scene or image", 1);
   } catch (const std::exception& error) {

@@ -1,14 +1,14 @@
 #include "options.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
-#include <optional>
-#include <span>
+#include <filesystem>
+#include <map>
 
 #include "shadewright/error.h"
 #include "shadewright/files.h"
@@ -88,11 +88,11 @@ Camera choose_camera(const SceneFlags& flags, const Scene& scene, std::vector<st
   } else {
     camera = default_camera(scene);
     const glm::dvec3 eye = camera.eye + scene.origin, target = camera.target + scene.origin;
-    notes.push_back(
-        fmt::format("the scene has no camera: --eye {:.5g},{:.5g},{:.5g} --target {:.5g},{:.5g},{:.5g} was chosen",
-                    eye.x, eye.y, eye.z, target.x, target.y, target.z));
+    notes.push_back(fmt::format(
+        "the scene has no camera: --eye {:.10g},{:.10g},{:.10g} --target {:.10g},{:.10g},{:.10g} was chosen", eye.x,
+        eye.y, eye.z, target.x, target.y, target.z));
   }
-  if (flags.fov != 0) camera.fov_y = glm::radians(flags.fov);
+  if (flags.fov) camera.fov_y = glm::radians(*flags.fov);
   return camera;
 }
 
@@ -104,12 +104,12 @@ std::vector<Moment> choose_moments(const SceneFlags& flags, const Scene& scene, 
   const uint32_t count = flags.frames == 0 ? default_frames : flags.frames;
   std::vector<Moment> moments;
   if (!flags.path.empty()) {
-    if (!flags.camera.empty() || !flags.eye.empty())
-      throw InputError("--path " + flags.path, "the path moves the camera, --camera and --eye set it",
+    if (!flags.camera.empty() || !flags.eye.empty() || !flags.target.empty())
+      throw InputError("--path " + flags.path, "the path moves the camera, --camera, --eye and --target set it",
                        "leave one of them out");
     moments = moments_along(find_path(scene, flags.path), light, count);
-    if (flags.fov != 0)
-      for (Moment& moment : moments) moment.camera.fov_y = glm::radians(flags.fov);
+    if (flags.fov)
+      for (Moment& moment : moments) moment.camera.fov_y = glm::radians(*flags.fov);
   } else {
     if (scene.motions.empty() && !sun_turns)
       throw InputError(fmt::format("--frames {}", flags.frames), "nothing moves in this scene",
@@ -157,9 +157,34 @@ Box parse_bounds(const std::string& flag, const std::string& text) {
   return box;
 }
 
+void check_range(const std::string& flag, double value, double min, double max) {
+  // Not a number is outside too.
+  if (!(value >= min && value <= max))
+    throw InputError(fmt::format("{} {}", flag, value), fmt::format("it is not a number from {} to {}", min, max),
+                     "give one that is");
+}
+
+void check_outputs(std::span<const Output> outputs) {
+  std::map<std::filesystem::path, std::string> flags;
+  for (const Output& output : outputs) {
+    if (output.file.empty()) continue;
+    const std::string subject = output.flag + " " + output.file;
+    const std::filesystem::path file = std::filesystem::weakly_canonical(std::filesystem::absolute(output.file));
+    const auto [other, first] = flags.emplace(output.file == "-" ? "-" : file, output.flag);
+    if (!first) throw InputError(subject, other->second + " goes there too", "name another file");
+    if (output.file == "-") continue;
+    if (std::filesystem::is_directory(file)) throw InputError(subject, "it is a folder", "name a file in it");
+    if (!std::filesystem::is_directory(file.parent_path()))
+      throw InputError(
+          subject,
+          fmt::format("its folder '{}' does not exist", std::filesystem::path(output.file).parent_path().string()),
+          "make it first");
+  }
+}
+
 void write_text(const std::string& text, const std::string& file) {
   if (file == "-")
-    std::fwrite(text.data(), 1, text.size(), stdout);
+    write_standard_output(text);
   else
     write_file(file, text);
 }
@@ -174,7 +199,7 @@ void SceneFlags::add_to(CLI::App& verb) {
   verb.add_option("--camera", camera, "A camera of the scene, by name");
   verb.add_option("--eye", eye, "Camera position X,Y,Z, in the file's coordinates");
   verb.add_option("--target", target, "What the camera looks at, X,Y,Z");
-  verb.add_option("--fov", fov, "Full vertical field of view, degrees")->check(CLI::Range(1.0, 160.0));
+  verb.add_option("--fov", fov, "Full vertical field of view, degrees, 1 to 160");
   light.add_to(verb);
   verb.add_option("--size", size, "Image size WxH in pixels")->capture_default_str();
   verb.add_option("--repeat", repeat, "Timed repeats after warm-up")
@@ -195,6 +220,8 @@ void SceneFlags::add_to(CLI::App& verb) {
                   "Draw far instances as points: off, auto (samples at most 2 pixels away), or that many pixels; "
                   "image, maps and truth show the same points")
       ->capture_default_str();
+  verb.add_option("--debug", debug, "Also write a debug image of the technique, by name; repeatable; 'list' names them")
+      ->allow_extra_args(false);
   verb.add_option("--device", device, "Device by index or part of its name (see shadewright devices)");
   verb.add_flag("--quiet", quiet, "No progress, no remarks");
   verb.add_flag("--verbose", verbose, "Say more");
@@ -216,12 +243,13 @@ std::optional<double> point_spacing(const std::string& text) {
 
 }  // namespace
 
-View load_view(const SceneFlags& flags, ProgressBar& progress) {
+View load_view(const SceneFlags& flags, ProgressBar& bar, const Progress& progress) {
   View view;
+  if (flags.fov) check_range("--fov", *flags.fov, 1, 160);
   parse_size(flags.size, view.width, view.height);
   const std::optional<double> spacing = point_spacing(flags.points);
-  LoadedScene loaded = load_scene(flags.scene, progress.callback());
-  progress.clear();
+  LoadedScene loaded = load_scene(flags.scene, progress);
+  bar.clear();
   view.scene = std::move(loaded.scene);
   view.notes = std::move(loaded.warnings);
   view.light = choose_light(flags.light, view.scene, view.notes);
@@ -233,8 +261,8 @@ View load_view(const SceneFlags& flags, ProgressBar& progress) {
     if (view.moments.empty()) seen.push_back(point_view(view.camera, view.height));
     for (const Moment& moment : view.moments) seen.push_back(point_view(moment.camera, view.height, moment.time));
     PointSummary summary;
-    view.scene = with_points(view.scene, seen, {.spacing = *spacing}, &summary, progress.callback());
-    progress.clear();
+    view.scene = with_points(view.scene, seen, {.spacing = *spacing}, &summary, progress);
+    bar.clear();
     view.notes.push_back(describe(summary));
   }
   if (!flags.quiet)
@@ -243,6 +271,20 @@ View load_view(const SceneFlags& flags, ProgressBar& progress) {
     fmt::print(stderr, "{}: {} triangles, {} meshes, {} instances\n", view.scene.name, triangle_count(view.scene),
                view.scene.meshes.size(), view.scene.instances.size());
   return view;
+}
+
+void print_later_notes(std::span<const std::string> notes, const View& view) {
+  for (const std::string& note : notes)
+    if (std::ranges::find(view.notes, note) == view.notes.end()) fmt::print(stderr, "{}\n", note);
+}
+
+void check_specs(std::span<const shadow::Spec> specs, const View& view) {
+  std::vector<Light> lights{view.light};
+  for (const Moment& moment : view.moments)
+    if (moment.light.direction != lights.back().direction || moment.light.position != lights.back().position)
+      lights.push_back(moment.light);
+  for (const shadow::Spec& spec : specs)
+    for (const Light& light : lights) shadow::check(spec, view.scene, light);
 }
 
 gpu::DeviceOptions device_options(const SceneFlags& flags) {

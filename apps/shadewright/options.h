@@ -2,13 +2,17 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "progress_bar.h"
 #include "shadewright/gpu/device.h"
 #include "shadewright/scene/load.h"
 #include "shadewright/scene/moments.h"
 #include "shadewright/scene/scene.h"
+#include "shadewright/shadow/technique.h"
 
 namespace CLI {
 class App;
@@ -25,7 +29,7 @@ struct LightFlags {
 struct SceneFlags {
   std::string scene;
   std::string camera, eye, target;
-  double fov = 0;
+  std::optional<double> fov;  ///< degrees
   LightFlags light;
   std::string size = "1920x1080";
   uint32_t repeat = 10;
@@ -33,6 +37,7 @@ struct SceneFlags {
   std::string path, sun_to;
   uint32_t frames = 0;  ///< 0 = not given
   std::string points = "off";
+  std::vector<std::string> debug;
   std::string device;
   bool quiet = false, verbose = false, validation = false;
 
@@ -50,15 +55,28 @@ struct View {
   std::vector<std::string> notes;  ///< what was chosen or warned of
 };
 
-/// Loads and chooses; prints warnings and choices to stderr unless quiet. InputError for what does not fit.
-View load_view(const SceneFlags& flags, ProgressBar& progress);
+/// Loads and chooses; prints warnings and choices to stderr unless quiet. InputError for what does not fit. `progress`
+/// shows itself on `bar`.
+View load_view(const SceneFlags& flags, ProgressBar& bar, const Progress& progress);
+/// Prints to stderr what a report notes beyond the view's own notes.
+void print_later_notes(std::span<const std::string> notes, const View& view);
+/// InputError where a technique can't serve the view's light, in any of its frames (see shadow::check).
+void check_specs(std::span<const shadow::Spec> specs, const View& view);
 
 /// The light that the flags, the scene, or our own judgement chose; what was chosen is added to `notes`.
 Light choose_light(const LightFlags& flags, const Scene& scene, std::vector<std::string>& notes);
 /// "WxH" in pixels; InputError naming --size.
 void parse_size(const std::string& text, uint32_t& width, uint32_t& height);
+/// InputError where `value` is not from `min` to `max`.
+void check_range(const std::string& flag, double value, double min, double max);
 /// "X0,Y0,Z0,X1,Y1,Z1"; InputError naming `flag`.
 Box parse_bounds(const std::string& flag, const std::string& text);
+/// A flag that names a file to be written, and what was given; empty if nothing was.
+struct Output {
+  std::string flag, file;
+};
+/// Before any work: InputError where a file can't be written because its folder does not exist, or where two are one.
+void check_outputs(std::span<const Output> outputs);
 /// Writes `text` to `file`; "-" is standard output.
 void write_text(const std::string& text, const std::string& file);
 

@@ -1,10 +1,11 @@
 // shadewright render: one technique, one image.
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <memory>
 
+#include "debug_images.h"
 #include "options.h"
 #include "shadewright/compare/path_study.h"
 #include "shadewright/compare/report.h"
@@ -19,7 +20,6 @@ namespace {
 struct Flags {
   SceneFlags scene;
   std::string technique, output, mask, json;
-  std::vector<std::string> debug;
 };
 
 void check_image_name(const std::string& flag, const std::string& name, bool exr) {
@@ -29,11 +29,20 @@ void check_image_name(const std::string& flag, const std::string& name, bool exr
                    "name the file so");
 }
 
-void list_debug_images(const shadow::Spec& spec, const SceneFlags& flags) {
-  const gpu::Device device(device_options(flags));
-  const Scene no_scene;
-  for (const std::string& name : shadow::make_technique(device, spec, {16, 16, 1, true, &no_scene})->debug_names())
-    fmt::print("{}\n", name);
+/// "image.png" to "image-NAME.png".
+std::string debug_file(const std::string& output, const std::string& name) {
+  const std::filesystem::path image(output);
+  return (image.parent_path() / (image.stem().string() + "-" + name + ".png")).string();
+}
+
+void check_all_outputs(const Flags& flags) {
+  check_image_name("-o", flags.output, true);
+  if (!flags.mask.empty()) check_image_name("--mask", flags.mask, false);
+  if (!flags.scene.debug.empty() && flags.output == "-")
+    throw InputError("-o -", "debug images stand beside the image", "name a file");
+  std::vector<Output> outputs{{"-o", flags.output}, {"--mask", flags.mask}, {"--json", flags.json}};
+  for (const std::string& name : flags.scene.debug) outputs.push_back({"--debug", debug_file(flags.output, name)});
+  check_outputs(outputs);
 }
 
 /// "image.png" to "image_0007.png".
@@ -51,23 +60,28 @@ void write_images(const Flags& flags, const View& view, const compare::Outcome& 
   else
     write_png(render::to_picture(radiance, view.width, view.height), output);
   if (!mask.empty()) write_png(render::to_picture(outcome.visibility, view.width, view.height), mask);
-  for (size_t i = 0; i < outcome.debug.size(); ++i) {
-    const std::filesystem::path image(output);
-    write_png(outcome.debug[i], image.parent_path() / (image.stem().string() + "-" + flags.debug[i] + ".png"));
-  }
+  for (size_t i = 0; i < outcome.debug.size(); ++i)
+    write_png(outcome.debug[i], debug_file(output, flags.scene.debug[i]));
+}
+
+/// Writes and says what was measured, if anything was to be.
+void write_report(const Flags& flags, const View& view, const compare::Report& report) {
+  if (flags.json.empty()) return;
+  write_text(compare::to_json(report), flags.json);
+  if (!flags.scene.quiet) print_later_notes(report.notes, view);
 }
 
 void render_view(const Flags& flags, const shadow::Spec& spec, const View& view, const gpu::Device& device,
                  const compare::StudyOptions& options, ProgressBar& progress) {
   compare::Study study(device, view.scene, view.camera, view.light, options, progress.callback());
   study.add_notes(view.notes);
-  compare::Outcome outcome = study.run(spec, flags.debug);
+  compare::Outcome outcome = study.run(spec, flags.scene.debug);
   check_validation(device);
   write_images(flags, view, outcome, study.shade(outcome.visibility), flags.output, flags.mask);
-  if (flags.json.empty()) return;
   compare::Report report = study.report();
   report.results.push_back(std::move(outcome.result));
-  write_text(compare::to_json(report), flags.json);
+  progress.clear();
+  write_report(flags, view, report);
 }
 
 void render_frames(const Flags& flags, const shadow::Spec& spec, const View& view, const gpu::Device& device,
@@ -81,23 +95,25 @@ void render_frames(const Flags& flags, const shadow::Spec& spec, const View& vie
     write_images(flags, view, outcome, study.shade(outcome.visibility), numbered(flags.output, frame),
                  flags.mask.empty() ? "" : numbered(flags.mask, frame));
   };
-  const compare::Report report = study.run(std::span(&spec, 1), flags.debug, write, progress.callback());
+  const compare::Report report = study.run(std::span(&spec, 1), flags.scene.debug, write, progress.callback());
   progress.clear();
-  if (!flags.json.empty()) write_text(compare::to_json(report), flags.json);
+  write_report(flags, view, report);
 }
 
 void run(const Flags& flags) {
   const shadow::Spec spec = shadow::parse_spec(flags.technique);
-  check_image_name("-o", flags.output, true);
-  if (!flags.mask.empty()) check_image_name("--mask", flags.mask, false);
-  const bool list_debug = flags.debug == std::vector<std::string>{"list"};
-  if (list_debug) return list_debug_images(spec, flags.scene);
-  if (!flags.debug.empty() && flags.output == "-")
-    throw InputError("-o -", "debug images stand beside the image", "name a file");
+  if (asks_for_list(flags.scene.debug)) {
+    for (const std::string& name : debug_names(gpu::Device(device_options(flags.scene)), spec))
+      fmt::print("{}\n", name);
+    return;
+  }
+  check_all_outputs(flags);
 
   ProgressBar progress(flags.scene.quiet);
-  const View view = load_view(flags.scene, progress);
+  const View view = load_view(flags.scene, progress, progress.callback());
+  check_specs(std::span(&spec, 1), view);
   const gpu::Device device(device_options(flags.scene));
+  check_debug(device, std::span(&spec, 1), flags.scene.debug);
   compare::StudyOptions options{view.width, view.height, flags.scene.repeat, flags.scene.reference_samples, true};
   // Without figures asked for, the truth need not be traced (it is the technique itself for 'ray').
   options.reference = !flags.json.empty() || spec.parameterization == "ray";
@@ -122,7 +138,6 @@ void add_render(CLI::App& app) {
   verb->add_option("--mask", flags->mask, "Also write the visibility, MASK.png");
   verb->add_option("--json", flags->json,
                    "Also measure against ray tracing and write the figures; - is standard output");
-  verb->add_option("--debug", flags->debug, "Also write a debug image of the technique; 'list' names them");
   verb->add_flag_callback(
       "--help-spec",
       [] {
@@ -132,7 +147,7 @@ void add_render(CLI::App& app) {
       "Print aliases, parts and keys of a SPEC");
   verb->footer(
       "Example: shadewright render builtin:chess -t pcf@2048 -o chess.png\n"
-      "A path: shadewright render builtin:street --path main --frames 60 -t pcf@2048 -o frames/street.png");
+      "A path: shadewright render builtin:street --path main --frames 60 -t pcf@2048 -o street.png");
   verb->callback([flags] { run(*flags); });
 }
 

@@ -1,9 +1,11 @@
 // shadewright scenes: the built-in scenes, listed or written out.
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
+#include <array>
 #include <memory>
 
+#include "options.h"
 #include "shadewright/error.h"
 #include "shadewright/scene/builtin.h"
 #include "shadewright/scene/load.h"
@@ -32,6 +34,7 @@ void run(const std::string& name, const std::string& output) {
   if (name.empty() && !output.empty())
     throw InputError("-o " + output, "no scene is named", "write shadewright scenes NAME -o " + output);
   if (name.empty()) return list();
+  check_outputs(std::array<Output, 1>{{{"-o", output}}});
   const Scene scene = make_builtin(name);
   if (!output.empty()) return write_glb(scene, output);
   fmt::print("{}: {} triangles in {} instances of {} meshes\ncameras: {}\nlights: {}\npaths: {}\n", scene.name,

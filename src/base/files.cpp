@@ -1,12 +1,38 @@
 #include "shadewright/files.h"
 
 #include <cctype>
+#include <cerrno>
+#include <cstdio>
 #include <fstream>
 #include <system_error>
 
 #include "shadewright/error.h"
 
 namespace shadewright {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The nearest folder at or above `folder` that exists: what is written there can be moved to `folder`, on the same
+/// disk.
+fs::path nearest_existing(fs::path folder) {
+  std::error_code ignored;
+  while (!fs::exists(folder, ignored) && folder.has_relative_path()) folder = folder.parent_path();
+  return folder;
+}
+
+/// Throws filesystem_error.
+void move_entries(const fs::path& from, const fs::path& to) {
+  fs::create_directories(to);
+  for (const fs::directory_entry& entry : fs::directory_iterator(from)) {
+    const fs::path target = to / entry.path().filename();
+    if (entry.is_directory() || fs::is_directory(target)) fs::remove_all(target);
+    fs::rename(entry.path(), target);
+  }
+}
+
+}  // namespace
 
 void write_atomically(const std::filesystem::path& file,
                       const std::function<void(const std::filesystem::path&)>& write) {
@@ -38,6 +64,45 @@ void write_file(const std::filesystem::path& file, std::span<const std::byte> by
 
 void write_file(const std::filesystem::path& file, std::string_view text) {
   write_file(file, std::as_bytes(std::span(text)));
+}
+
+void write_folder(const fs::path& folder, const std::function<void(const fs::path&)>& write) {
+  const auto refuse = [&](const std::error_code& error) {
+    throw FailureError(folder.string(), "can't be made or written into (" + error.message() + ")",
+                       "choose another folder");
+  };
+  fs::path place = fs::absolute(folder).lexically_normal();
+  if (!place.has_filename()) place = place.parent_path();  // it ended in a slash
+  const fs::path temporary = nearest_existing(place) / (place.filename().string() + ".part");
+  std::error_code error;
+  fs::remove_all(temporary, error);  // left by a run that was killed
+  if (!error) fs::create_directory(temporary, error);
+  if (error) refuse(error);
+  struct Removal {
+    const fs::path& path;
+    ~Removal() {
+      std::error_code ignored;
+      fs::remove_all(path, ignored);
+    }
+  } const removal{temporary};
+  write(temporary);
+  try {
+    move_entries(temporary, place);
+  } catch (const fs::filesystem_error& failure) {
+    refuse(failure.code());
+  }
+}
+
+void write_standard_output(std::span<const std::byte> bytes) {
+  errno = 0;
+  const bool written = std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size();
+  if (std::fflush(stdout) == 0 && written && std::ferror(stdout) == 0) return;
+  const std::string why = errno == 0 ? "" : " (" + std::generic_category().message(errno) + ")";
+  throw FailureError("standard output", "can't be written" + why, "check where it is redirected to");
+}
+
+void write_standard_output(std::string_view text) {
+  write_standard_output(std::as_bytes(std::span(text)));
 }
 
 std::string file_stem(std::string_view text) {

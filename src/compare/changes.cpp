@@ -47,13 +47,13 @@ std::string relative(double before, double after) {
   return fmt::format("({:+.1f}%)", 100.0 * (after - before) / before);
 }
 
-double mebibytes(const TechniqueResult& result) {
-  return static_cast<double>(result.memory_bytes()) / (1 << 20);
+double megabytes(const TechniqueResult& result) {
+  return static_cast<double>(result.memory_bytes()) / 1e6;
 }
 
 /// One line of the table. A quantity is three cells: before, after, relative change; a technique in one report has "-"
 /// for the other's.
-constexpr std::array<std::string_view, 3> quantities = {"wrong pixels", "milliseconds", "MiB"};
+constexpr std::array<std::string_view, 3> quantities = {"wrong pixels", "milliseconds", "MB"};
 constexpr size_t cells = 1 + 3 * quantities.size();
 using Line = std::array<std::string, cells>;
 
@@ -74,7 +74,7 @@ Line line(const Change& change) {
   add_quantity(
       line, 4, change, [](const TechniqueResult& r) { return r.milliseconds.median; },
       [](double milliseconds) { return fmt::format("{:.2f}", milliseconds); });
-  add_quantity(line, 7, change, mebibytes, [](double mib) { return fmt::format("{:.1f}", mib); });
+  add_quantity(line, 7, change, megabytes, [](double mb) { return fmt::format("{:.1f}", mb); });
   return line;
 }
 

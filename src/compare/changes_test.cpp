@@ -40,10 +40,10 @@ TEST(Changes, AlignedLines) {
   after.results[1].error.wrong = 40;
   before.results[1] = example_result("cpvs", "precomputed@16384", 7);
   EXPECT_EQ(describe_changes(before, after),
-            "technique  wrong pixels        milliseconds            MiB\n"
-            "sm@2048    100 -> 75 (-25.0%)  1.50 -> 3.00 (+100.0%)  4.0 -> 16.0 (+299.9%)\n"
-            "rtw@512      - -> 40              - -> 1.50              - ->  4.0            new\n"
-            "cpvs         7 ->  -           1.50 ->    -            4.0 ->    -            gone\n");
+            "technique  wrong pixels        milliseconds            MB\n"
+            "sm@2048    100 -> 75 (-25.0%)  1.50 -> 3.00 (+100.0%)  4.2 -> 16.8 (+299.9%)\n"
+            "rtw@512      - -> 40              - -> 1.50              - ->  4.2            new\n"
+            "cpvs         7 ->  -           1.50 ->    -            4.2 ->    -            gone\n");
 }
 
 TEST(Changes, OtherConditionsAreSaid) {

@@ -59,6 +59,7 @@ inline Report example_report() {
   rtw.image = "rtw.png";
   rtw.mask = "rtw_mask.png";
   rtw.difference = "rtw_difference.png";
+  rtw.debug = {"rtw-shadow-map.png"};
   return report;
 }
 

@@ -131,6 +131,7 @@ Json result_json(const TechniqueResult& result) {
                {"memory", memory},
                {"counters", counters},
                {"images", {{"image", result.image}, {"mask", result.mask}, {"difference", result.difference}}}};
+  if (!result.debug.empty()) json["debug"] = result.debug;
   if (!result.frames.empty()) json["frames"] = frames_json(result.frames);
   return json;
 }
@@ -243,6 +244,7 @@ TechniqueResult read_result(const Json& json) {
   result.image = images.value("image", std::string());
   result.mask = images.value("mask", std::string());
   result.difference = images.value("difference", std::string());
+  result.debug = json.value("debug", result.debug);
   return result;
 }
 

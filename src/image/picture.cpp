@@ -3,7 +3,6 @@
 #include <png.h>
 
 #include <algorithm>
-#include <iostream>
 #include <span>
 
 #include "shadewright/error.h"
@@ -66,9 +65,12 @@ std::vector<uint8_t> encode_png(const Picture& picture) {
 }
 
 void write_png(const Picture& picture, const std::filesystem::path& file) {
-  const std::vector<uint8_t> bytes = encode_png(picture);
-  if (file != "-") return write_file(file, std::as_bytes(std::span(bytes)));
-  std::cout.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size())).flush();
+  const std::vector<uint8_t> png = encode_png(picture);
+  const auto bytes = std::as_bytes(std::span(png));
+  if (file == "-")
+    write_standard_output(bytes);
+  else
+    write_file(file, bytes);
 }
 
 }  // namespace shadewright

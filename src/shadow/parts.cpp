@@ -18,6 +18,7 @@ constexpr Part all_parts[] = {
     {"parameterization", "cascaded", "cascaded shadow maps"},
     {"parameterization", "rectilinear", "rectilinear texture warping (RTW 2012)"},
     {"parameterization", "paged", "adaptive and resolution-matched maps (ASM 2001, RMSM 2007)"},
+    {"parameterization", "precomputed", "a baked voxel DAG, no map (CPVS 2014): neither storage nor filter"},
     {"storage", "depth", "the depth of the closest occluder"},
     {"storage", "moments", "variance shadow maps (VSM 2006)"},
     {"storage", "subpixel", "sub-pixel shadow maps (SPSM 2014)"},
@@ -33,6 +34,7 @@ struct Refusal {
   std::string_view parameterization, storage, filter, why;
 };
 constexpr Refusal refusals[] = {
+    {"precomputed", "", "", "a voxel DAG is no map, it has neither storage nor filter"},
     {"paged", "moments", "", "a blur cannot cross missing pages"},
     {"uniform", "", "trilinear", "only paged maps have levels to blend"},
     {"perspective", "", "trilinear", "only paged maps have levels to blend"},
@@ -107,7 +109,7 @@ void check_light(std::string_view parameterization, LightKind light) {
 std::string combinations_help() {
   std::string text = "Combinations that work (lights: all kinds unless said)\n";
   for (const auto p : names_on("parameterization")) {
-    if (!is_built(p, "", "")) continue;
+    if (!is_built(p, "", "") && p != "precomputed") continue;
     text += fmt::format("  {}{}\n", p, serves(p, LightKind::point) ? "" : " (directional and spot lights)");
     for (const auto s : names_on("storage")) {
       std::string filters;
@@ -116,6 +118,11 @@ std::string combinations_help() {
       if (!filters.empty()) text += fmt::format("    {:<12}{}\n", s, filters);
     }
   }
+  text += "Not built yet\n";
+  for (const auto p : names_on("parameterization"))
+    for (const auto s : names_on("storage"))
+      for (const auto f : names_on("filter"))
+        if (!is_built(p, s, f) && why_refused(p, s, f).empty()) text += fmt::format("  {}/{}/{}\n", p, s, f);
   text += "Refused\n";
   for (const Refusal& r : refusals)
     text += fmt::format("  {}/{}/{}: {}\n", r.parameterization.empty() ? "*" : r.parameterization,

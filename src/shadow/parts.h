@@ -10,7 +10,7 @@
 
 namespace shadewright::shadow {
 
-/// A choice on one of the three axes.
+/// A choice on one of the three axes; "precomputed" stands among the parameterizations, though it is no map.
 struct Part {
   std::string_view axis, name, stands_for;
 };

@@ -94,10 +94,10 @@ const std::vector<SpecKey>& all_keys() {
           "casters, out of which pages are copied"),
       choice_key("statistics", "paged", {"off", "on"},
                  "also count how the filter's taps are answered and how much of the pages they read"),
-      choice_key(
-          "lod", "paged", {"bounded", "area", "box", "axis"},
-          "a pixel's size in the map: its area (RMSM equation 1), its longer side, its ellipse's smaller axis, or its "
-          "area bounded by twice that axis"),
+      choice_key("lod", "paged", {"bounded", "area", "box", "axis"},
+                 "a pixel's size in the map: its area bounded by twice its ellipse's smaller axis, its area (RMSM "
+                 "equation 1), "
+                 "its longer side, or that axis"),
       choice_key("analysis", "rectilinear", {"backward", "forward", "hybrid"},
                  "importance from the camera's buffers, from a depth image of the light's, or from both"),
       choice_key("dv", "rectilinear", {"on", "off"}, "importance: only what the camera sees counts"),
@@ -252,28 +252,30 @@ std::string value_range(const SpecKey& key) {
   return {};
 }
 
-/// True if `value` can be the value of `key`. Throws what a nested spec throws.
-bool is_good(const SpecKey& key, std::string_view value) {
+/// `value` in its shortest form; nothing where it can't be the value of `key`. Throws what a nested spec throws.
+std::optional<std::string> canonical_value(const SpecKey& key, std::string_view value) {
   switch (key.kind) {
     case SpecKey::Kind::choice:
-      return std::find(key.choices.begin(), key.choices.end(), value) != key.choices.end();
+      if (std::find(key.choices.begin(), key.choices.end(), value) == key.choices.end()) return std::nullopt;
+      break;
     case SpecKey::Kind::number:
     case SpecKey::Kind::whole: {
       const auto number = parse_number(value);
-      return number && *number >= key.min && *number <= key.max &&
-             (key.kind == SpecKey::Kind::number || *number == std::floor(*number));
+      if (!number || *number < key.min || *number > key.max) return std::nullopt;
+      if (key.kind == SpecKey::Kind::whole && *number != std::floor(*number)) return std::nullopt;
+      return fmt::format("{}", *number + 0.0);  // adding zero turns -0 into 0
     }
     case SpecKey::Kind::file:
-      return !value.empty();
+      if (value.empty()) return std::nullopt;
+      break;
     case SpecKey::Kind::spec:
-      if (value.size() < 2 || value.front() != '(' || value.back() != ')') return false;
-      parse_spec(value.substr(1, value.size() - 2));
-      return true;
+      if (value.size() < 2 || value.front() != '(' || value.back() != ')') return std::nullopt;
+      return fmt::format("({})", parse_spec(value.substr(1, value.size() - 2)).canonical());
   }
-  return false;
+  return std::string(value);
 }
 
-void parse_key(Spec& spec, std::string_view item, std::set<std::string_view>& seen) {
+void parse_key(Spec& spec, std::string_view item, std::set<std::string_view>& seen, const SpecAlias* setter) {
   const std::string subject = fmt::format("spec '{}'", spec.text);
   const size_t equals = item.find('=');
   if (equals == std::string_view::npos || equals == 0)
@@ -295,12 +297,17 @@ void parse_key(Spec& spec, std::string_view item, std::set<std::string_view>& se
   if (!key)
     throw InputError(subject, fmt::format("key '{}' belongs to '{}', which this spec does not use", name, other_owner),
                      choose);
-  if (!seen.insert(name).second)
-    throw InputError(subject, fmt::format("key '{}' is given twice", name), "give it once");
-  if (!is_good(*key, value))
+  const bool again = !seen.insert(name).second;
+  if (again && setter)
+    throw InputError(
+        subject, fmt::format("'{}' sets {} itself", setter->name, item),
+        fmt::format("write {} instead of {}", setter->spec.substr(0, setter->spec.find(',')), setter->name));
+  if (again) throw InputError(subject, fmt::format("key '{}' is given twice", name), "give it once");
+  const std::optional<std::string> canonical = canonical_value(*key, value);
+  if (!canonical)
     throw InputError(subject, fmt::format("{}={} is out of range", name, value),
                      fmt::format("give {}", value_range(*key)));
-  if (value != key->default_value) spec.values.emplace(name, value);
+  if (*canonical != key->default_value) spec.values.emplace(name, *canonical);
 }
 
 /// The resolution of a precomputed spec, and what its keys exclude.
@@ -318,22 +325,28 @@ void parse_precomputed(Spec& spec, std::optional<std::string_view> resolution) {
   if (const auto dynamic = spec.nested("dynamic"); dynamic && dynamic->storage.empty())
     throw InputError(fmt::format("spec '{}'", spec.text), "dynamic is not a map technique",
                      "write dynamic=(cascaded@2048)");
+  if (spec.values.contains("dynamic") && spec.choice("static") == "1")
+    throw InputError(fmt::format("spec '{}'", spec.text),
+                     "a shadow baked for static receivers is undefined where moving ones can be", "leave static=1 out");
   for (const char* key : {"closed", "static"})
     if (from_file && spec.values.contains(key))
       throw InputError(fmt::format("spec '{}'", spec.text),
                        fmt::format("{} says how to bake, but the file is baked", key), "leave it out");
 }
 
+/// The alias at the start of `text`; null if there is none.
+const SpecAlias* find_alias(std::string_view text) {
+  const std::string_view name = text.substr(0, text.find_first_of("@,/"));
+  const auto* found = std::find_if(aliases.begin(), aliases.end(), [&](const SpecAlias& a) { return a.name == name; });
+  return found == aliases.end() ? nullptr : found;
+}
+
 /// Replaces an alias at the start of `text` ("pcf@512" -> "uniform/depth/pcf@512"; an alias's own keys go last).
 std::string expand_alias(std::string_view text) {
-  const size_t end = std::min({text.find('@'), text.find(','), text.find('/'), text.size()});
-  for (const SpecAlias& alias : aliases) {
-    if (alias.name != text.substr(0, end)) continue;
-    const size_t comma = alias.spec.find(',');
-    const std::string keys_of_alias = comma == std::string::npos ? "" : alias.spec.substr(comma);
-    return alias.spec.substr(0, comma) + std::string(text.substr(end)) + keys_of_alias;
-  }
-  return std::string(text);
+  const SpecAlias* alias = find_alias(text);
+  if (!alias) return std::string(text);
+  const size_t comma = std::min(alias->spec.find(','), alias->spec.size());
+  return alias->spec.substr(0, comma) + std::string(text.substr(alias->name.size())) + alias->spec.substr(comma);
 }
 
 }  // namespace
@@ -367,7 +380,8 @@ Spec parse_spec(std::string_view text) {
   }
   std::set<std::string_view> seen;
   const auto parse_keys = [&] {
-    for (size_t i = 1; i < items.size(); ++i) parse_key(spec, items[i], seen);
+    const size_t given = split(text, ',').size();  // an alias's own keys come after them
+    for (size_t i = 1; i < items.size(); ++i) parse_key(spec, items[i], seen, i < given ? nullptr : find_alias(text));
   };
   if (spec.parameterization == "precomputed") {
     if (axes.size() > 1)
@@ -423,9 +437,10 @@ bool Spec::takes(std::string_view key) const {
 }
 
 std::vector<std::string> expand_sweep(std::string_view text) {
-  const size_t at = text.find('@'), dots = text.find("..");
+  const size_t end = std::min(text.find(','), text.size());
+  const std::string_view head = text.substr(0, end);
+  const size_t at = head.find('@'), dots = head.find("..");
   if (at == std::string_view::npos || dots == std::string_view::npos || dots < at) return {std::string(text)};
-  const size_t end = std::min(text.find(',', dots), text.size());
   const std::string whole(text);
   const std::string expanded = expand_alias(text);
   const Resolutions allowed = resolutions(expanded.substr(0, expanded.find_first_of("/@,")));
@@ -452,8 +467,8 @@ std::string spec_help() {
   for (const Part& part : parts())
     if (part.axis == "parameterization") {
       const Resolutions allowed = resolutions(part.name);
-      text +=
-          fmt::format("  {:<17} {} to {} texels per axis, {}\n", part.name, allowed.min, allowed.max, allowed.standard);
+      text += fmt::format("  {:<17} {} to {} {} per axis, {}\n", part.name, allowed.min, allowed.max,
+                          part.name == "precomputed" ? "voxels (a power of two)" : "texels", allowed.standard);
     }
   text += "\nKeys\n";
   for (const SpecKey& key : all_keys())

@@ -34,7 +34,15 @@ TEST(SpecTest, WritesAliasesOut) {
   EXPECT_EQ(parse_spec("cpvs").canonical(), "precomputed@16384");
   EXPECT_EQ(parse_spec("cpvs,file=sun.cpvs").canonical(), "precomputed,file=sun.cpvs");
   EXPECT_EQ(parse_spec("cpvs@65536,taps=9,dynamic=(pcf@1024,radius=2)").canonical(),
-            "precomputed@65536,dynamic=(pcf@1024,radius=2),taps=9");
+            "precomputed@65536,dynamic=(uniform/depth/pcf@1024,radius=2),taps=9");
+}
+
+TEST(SpecTest, WritesValuesInTheirShortestForm) {
+  EXPECT_EQ(parse_spec("sm,bias=1.0").canonical(), "uniform/depth/hard@2048");
+  EXPECT_EQ(parse_spec("sm@2048,bias=-0").canonical(), "uniform/depth/hard@2048,bias=0");
+  EXPECT_EQ(parse_spec("pcf,width=0.20,radius=3.0").canonical(), "uniform/depth/pcf@2048,radius=3,width=0.2");
+  EXPECT_EQ(parse_spec("rmsm,finest=2048e1").canonical(), "paged/depth/trilinear@32768,finest=20480");
+  EXPECT_EQ(parse_spec("cpvs,dynamic=(sm@2048)").canonical(), parse_spec("cpvs,dynamic=(uniform)").canonical());
 }
 
 TEST(SpecTest, CanonicalFormsParseToThemselves) {
@@ -75,6 +83,9 @@ TEST(SpecTest, RefusesWithAReason) {
   EXPECT_NE(refusal("cpvs,dynamic=(smm)").find("no technique"), std::string::npos);
   EXPECT_NE(refusal("cpvs,dynamic=(ray)").find("map technique"), std::string::npos);
   EXPECT_NE(refusal("cpvs,file=a.cpvs,static=1").find("is baked"), std::string::npos);
+  EXPECT_NE(refusal("cpvs,static=1,dynamic=(sm)").find("static=1"), std::string::npos);
+  EXPECT_NE(refusal("asm,refine=none").find("'asm' sets refine=edges itself; write paged/depth/trilinear instead"),
+            std::string::npos);
   EXPECT_NE(refusal("precomputed/depth").find("neither"), std::string::npos);
   EXPECT_NE(refusal("uniform/depth/aa").find("makes no sense"), std::string::npos);
   EXPECT_NE(refusal("uniform/depth/trilinear").find("only paged maps"), std::string::npos);
@@ -93,10 +104,24 @@ TEST(SpecTest, KnowsWhichLightsATechniqueServes) {
   }
 }
 
+TEST(SpecTest, ATechniqueIsCheckedAgainstTheLight) {
+  Light lamp;
+  lamp.kind = LightKind::point;
+  for (const char* text : {"sm", "rmsm", "ray"}) EXPECT_NO_THROW(check(parse_spec(text), {}, lamp)) << text;
+  for (const char* text : {"csm", "cpvs"}) {
+    EXPECT_THROW(check(parse_spec(text), {}, lamp), InputError) << text;
+    EXPECT_NO_THROW(check(parse_spec(text), {}, sun(35, 45))) << text;
+  }
+}
+
 TEST(SpecTest, SweepsByPowersOfTwo) {
   EXPECT_EQ(expand_sweep("sm@512..4096,bias=2"),
             (std::vector<std::string>{"sm@512,bias=2", "sm@1024,bias=2", "sm@2048,bias=2", "sm@4096,bias=2"}));
   EXPECT_EQ(expand_sweep("pcf@300..700"), (std::vector<std::string>{"pcf@300", "pcf@600"}));
+  EXPECT_EQ(expand_sweep("cpvs@256,file=../x.cpvs"), std::vector<std::string>{"cpvs@256,file=../x.cpvs"});
+  EXPECT_EQ(expand_sweep("cpvs,file=a@2..3"), std::vector<std::string>{"cpvs,file=a@2..3"});
+  EXPECT_EQ(expand_sweep("cpvs@64..128,dynamic=(sm@2048)"),
+            (std::vector<std::string>{"cpvs@64,dynamic=(sm@2048)", "cpvs@128,dynamic=(sm@2048)"}));
   EXPECT_EQ(expand_sweep("sm"), std::vector<std::string>{"sm"});
   EXPECT_THROW(expand_sweep("sm@1024..512"), InputError);
   EXPECT_THROW(expand_sweep("sm@1..x"), InputError);
@@ -105,6 +130,13 @@ TEST(SpecTest, SweepsByPowersOfTwo) {
 TEST(SpecTest, HelpNamesEveryKey) {
   const std::string help = spec_help();
   for (const SpecKey& key : spec_keys()) EXPECT_NE(help.find(key.name), std::string::npos);
+}
+
+TEST(SpecTest, HelpTellsOfEveryCombination) {
+  const std::string help = spec_help();
+  EXPECT_NE(help.find("precomputed (directional and spot lights)"), std::string::npos) << help;
+  EXPECT_NE(help.find("64 to 1048576 voxels (a power of two) per axis, 16384"), std::string::npos) << help;
+  EXPECT_NE(help.find("Not built yet\n  uniform/subpixel/pcf"), std::string::npos) << help;
 }
 
 }  // namespace

@@ -23,6 +23,12 @@ bool serves(const Spec& spec, LightKind light) {
   return serves(spec.parameterization, light);
 }
 
+void check(const Spec& spec, const Scene& scene, const Light& light) {
+  if (spec.parameterization == "ray") return;
+  check_light(spec.parameterization, light.kind);
+  if (spec.parameterization == "precomputed" && !spec.choice("file").empty()) open_baked(spec, &scene, light);
+}
+
 std::unique_ptr<Technique> make_technique(const gpu::Device& device, const Spec& spec,
                                           const TechniqueOptions& options) {
   if (options.width == 0 || options.height == 0 || options.frames_in_flight == 0)

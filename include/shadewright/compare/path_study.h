@@ -54,6 +54,7 @@ class PathStudy {
 /// As compare_techniques, over a path: pictures are of the study's pictured frame. `every_frame` also writes the
 /// picture of each frame, TECHNIQUE-frames/0000.png and so on, and the truth's as reference-frames.
 Report compare_along_path(PathStudy& study, std::span<const shadow::Spec> specs, const std::filesystem::path& folder,
-                          bool every_frame, const Report* before = nullptr, const Progress& progress = no_progress);
+                          bool every_frame, const Report* before = nullptr, const Progress& progress = no_progress,
+                          std::span<const std::string> debug = {});
 
 }  // namespace shadewright::compare

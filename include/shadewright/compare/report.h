@@ -61,6 +61,7 @@ struct TechniqueResult {
   std::string image;       ///< the shaded picture
   std::string mask;        ///< visibility, black to white
   std::string difference;  ///< wrong pixels in colour, transparent elsewhere: the page lays it over the grey truth
+  std::vector<std::string> debug;  ///< debug images that were asked for
 
   uint64_t memory_bytes() const;
 };
@@ -79,7 +80,7 @@ struct Report {
   uint64_t triangles = 0, instances = 0;
   std::string device_name, device_type;
   uint32_t width = 0, height = 0;
-  Camera camera;
+  Camera camera;  ///< in the scene file's coordinates, as the light
   Light light;
   std::optional<ReportPath> path;
   double reference_milliseconds = 0, reference_lit_fraction = 0;

@@ -30,13 +30,13 @@ struct Outcome {
   TechniqueResult result;         ///< picture names empty
   std::vector<float> visibility;  ///< 0..1, row by row
   Picture difference;             ///< false shadow red, false lit blue, else transparent; empty without reference
-  std::vector<Picture> debug;     ///< as asked for
+  std::vector<Picture> debug;     ///< one a name asked for; empty where the technique has none of that name
 };
 
 class Study {
  public:
   /// Uploads the scene, draws the camera pass and traces the reference. Everything referred to stays alive as long as
-  /// the study.
+  /// the study; `progress` is also told what `run` bakes.
   Study(const gpu::Device& device, const Scene& scene, const Camera& camera, const Light& light,
         const StudyOptions& options, const Progress& progress = no_progress);
   ~Study();
@@ -59,9 +59,11 @@ class Study {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Runs every spec, writes pictures, report.json, report.csv and index.html into `folder` (made if need be), and
-/// returns the report. `before` adds what changed against an earlier one.
+/// Runs every spec, writes pictures, report.json, report.csv and index.html into `folder` (see
+/// `write_folder`: whole or not at all), and returns the report. `before` adds what changed against an earlier one.
+/// `debug` names debug images, of which each technique's own are written too.
 Report compare_techniques(Study& study, std::span<const shadow::Spec> specs, const std::filesystem::path& folder,
-                          const Report* before = nullptr, const Progress& progress = no_progress);
+                          const Report* before = nullptr, const Progress& progress = no_progress,
+                          std::span<const std::string> debug = {});
 
 }  // namespace shadewright::compare

@@ -13,11 +13,12 @@ namespace shadewright::shadow {
 
 /// A parsed spec. Every key is known, belongs to a part of this technique and is in range.
 struct Spec {
-  std::string text;                                        ///< as given
-  std::string parameterization;                            ///< "uniform", ..., or "precomputed", or "ray"
-  std::string storage, filter;                             ///< empty for "precomputed" and "ray"
-  uint32_t resolution = 0;                                 ///< texels per axis; 0 where it has no meaning ("ray")
-  std::map<std::string, std::string, std::less<>> values;  ///< as given, defaults left out
+  std::string text;              ///< as given
+  std::string parameterization;  ///< "uniform", ..., or "precomputed", or "ray"
+  std::string storage, filter;   ///< empty for "precomputed" and "ray"
+  uint32_t resolution = 0;       ///< texels per axis; 0 where it has no meaning ("ray")
+  std::map<std::string, std::string, std::less<>>
+      values;  ///< numbers in shortest form, nested specs canonical, defaults left out
 
   /// The whole spec with aliases written out, keys in alphabetical order: "uniform/depth/pcf@2048,radius=2".
   std::string canonical() const;

@@ -135,6 +135,10 @@ class Technique {
 /// True if the technique that `spec` names serves lights of this kind.
 bool serves(const Spec& spec, LightKind light);
 
+/// InputError where that technique can't serve `light`, or where the file that it names (which is opened) does not fit
+/// the spec, the scene and the light: what else would come to light after long work. `ray` always passes.
+void check(const Spec& spec, const Scene& scene, const Light& light);
+
 /// Builds the technique that `spec` names. InputError where the options forbid what it needs.
 std::unique_ptr<Technique> make_technique(const gpu::Device& device, const Spec& spec, const TechniqueOptions& options);
 

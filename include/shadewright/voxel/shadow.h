@@ -56,8 +56,10 @@ class VoxelShadow {
 
   /// For each world point the mean visibility (0..1) of `taps` x `taps` voxels around the receiver, moved along its
   /// normal by `LightGrid::receiver_offset`. A zero normal moves it towards the light. `result` is as long as `points`.
-  /// Points outside the window or beside a spot light are visible. Uses all cores (oneTBB) and the CPU's widest vectors
-  /// (Highway); the results are the same everywhere. InputError if `taps` is even, or larger than `max_filter`.
+  /// Points outside the window or beside a spot light are visible. Points are floats: far from the world's zero, ask
+  /// the shadow `moved` by minus a place nearby for points relative to that place. Uses all cores (oneTBB) and the
+  /// CPU's widest vectors (Highway); the results are the same everywhere. InputError if `taps` is even, or larger than
+  /// `max_filter`.
   void visibility(std::span<const SurfacePoint> points, uint32_t taps, std::span<float> result) const;
 
   /// As `visibility`, for points each of whose pixels has a footprint of `footprints[i]` metres (the square root of its

@@ -11,7 +11,7 @@ function showChanges(changes, report) {
   const quantities = [
     {title: 'Wrong pixels', value: (r) => r.error.wrong, text: format.count},
     {title: 'Milliseconds', value: (r) => r.milliseconds.median, text: format.milliseconds},
-    {title: 'MiB', value: (r) => r.memory_bytes, text: format.mebibytes},
+    {title: 'MB', value: (r) => r.memory_bytes, text: format.megabytes},
   ];
   const relative = (before, after) => {
     if (before === after) return element('span', {class: 'none'}, 'same');

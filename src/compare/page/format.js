@@ -7,9 +7,9 @@ const format = {
   /** A share in running text: as many digits as it deserves. */
   share: (fraction) => `${format.significant(100 * fraction, 3)}%`,
   milliseconds: (value) => format.fixed(value, 2),
-  mebibytes: (bytes) => format.fixed(bytes / 1048576, 1),
-  bytes: (bytes) => bytes < 1024 ? `${bytes} B` : bytes < 1048576 ? `${(bytes / 1024).toFixed(1)} KiB`
-      : `${format.mebibytes(bytes)} MiB`,
+  megabytes: (bytes) => format.fixed(bytes / 1e6, 1),
+  bytes: (bytes) => bytes < 1e3 ? `${bytes} B` : bytes < 1e6 ? `${(bytes / 1e3).toFixed(1)} KB`
+      : `${format.megabytes(bytes)} MB`,
   /** Fixed decimals, but a value that is not zero never reads as zero. */
   fixed(value, decimals) {
     const least = 0.5 * 10 ** -decimals;
@@ -17,7 +17,7 @@ const format = {
     return value.toLocaleString('en-US', {minimumFractionDigits: decimals, maximumFractionDigits: decimals});
   },
   significant: (value, digits) => value.toLocaleString('en-US', {maximumSignificantDigits: digits}),
-  vector: (v) => `(${v.map((x) => format.significant(x, 4)).join(', ')})`,
+  vector: (v) => `(${v.map((x) => x.toLocaleString('en-US', {maximumFractionDigits: 3})).join(', ')})`,
 };
 
 /** A new element; attributes whose value is false, null or undefined are left out, `on...` ones are listeners. */

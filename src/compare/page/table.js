@@ -28,7 +28,7 @@ function tableColumns(results) {
       about: 'with the camera pass, median'},
     plain && {title: 'Time', unit: `× ${plain.technique}`, value: (r) => r.milliseconds.median / plain.milliseconds.median,
       text: format.milliseconds, about: `technique's milliseconds over those of ${plain.technique}`, ratio: true},
-    {title: 'Memory', unit: 'MiB', value: (r) => r.memory_bytes, text: format.mebibytes, starts: true},
+    {title: 'Memory', unit: 'MB', value: (r) => r.memory_bytes, text: format.megabytes, starts: true},
   ];
   return columns.filter(Boolean);
 }

@@ -1,11 +1,9 @@
 #include <fmt/format.h>
 
 #include <set>
-#include <system_error>
 
 #include "shadewright/compare/path_study.h"
 #include "shadewright/compare/study.h"
-#include "shadewright/error.h"
 #include "shadewright/files.h"
 
 namespace shadewright::compare {
@@ -18,13 +16,6 @@ std::string unique_stem(std::string_view spec, std::set<std::string>& taken) {
   std::string unique = stem;
   for (int i = 2; !taken.insert(unique).second; ++i) unique = fmt::format("{}-{}", stem, i);
   return unique;
-}
-
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error)
-    throw FailureError(folder.string(), "can't be made (" + error.message() + ")", "choose another place with -o");
 }
 
 /// A stem a spec, in their order; none is "reference".
@@ -50,10 +41,15 @@ class PictureWriter {
     report.reference_image = lit(visibility, "reference.png");
     report.reference_mask = write(render::to_picture(visibility, width_, height_), "reference-mask.png");
   }
-  void technique(const Outcome& outcome, const std::string& stem, TechniqueResult& result) const {
+  /// `debug` are the names of the outcome's debug images.
+  void technique(const Outcome& outcome, std::span<const std::string> debug, const std::string& stem,
+                 TechniqueResult& result) const {
     result.image = lit(outcome.visibility, stem + ".png");
     result.mask = write(render::to_picture(outcome.visibility, width_, height_), stem + "-mask.png");
     result.difference = write(outcome.difference, stem + "-difference.png");
+    for (size_t i = 0; i < debug.size(); ++i)
+      if (!outcome.debug[i].pixels.empty())
+        result.debug.push_back(write(outcome.debug[i], fmt::format("{}-{}.png", stem, file_stem(debug[i]))));
   }
   std::vector<float> truth_visibility() const { return {study_.reference().begin(), study_.reference().end()}; }
 
@@ -76,33 +72,30 @@ void write_report(const Report& report, const std::filesystem::path& folder, con
   write_file(folder / "index.html", to_html(report, folder, before));
 }
 
-}  // namespace
-
-Report compare_techniques(Study& study, std::span<const shadow::Spec> specs, const std::filesystem::path& folder,
-                          const Report* before, const Progress& progress) {
-  make_folder(folder);
+Report write_techniques(Study& study, std::span<const shadow::Spec> specs, const std::filesystem::path& folder,
+                        const Report* before, const Progress& progress, std::span<const std::string> debug) {
   Report report = study.report();
   const PictureWriter pictures(study, report.width, report.height, folder);
   pictures.truth(report);
   const std::vector<std::string> stems = file_stems(specs);
   for (size_t i = 0; i < specs.size(); ++i) {
     progress(specs[i].text, static_cast<double>(i) / static_cast<double>(specs.size()));
-    Outcome outcome = study.run(specs[i]);
-    pictures.technique(outcome, stems[i], outcome.result);
+    Outcome outcome = study.run(specs[i], debug);
+    pictures.technique(outcome, debug, stems[i], outcome.result);
     report.results.push_back(std::move(outcome.result));
   }
   write_report(report, folder, before, progress);
   return report;
 }
 
-Report compare_along_path(PathStudy& study, std::span<const shadow::Spec> specs, const std::filesystem::path& folder,
-                          bool every_frame, const Report* before, const Progress& progress) {
-  make_folder(folder);
+Report write_path(PathStudy& study, std::span<const shadow::Spec> specs, const std::filesystem::path& folder,
+                  bool every_frame, const Report* before, const Progress& progress,
+                  std::span<const std::string> debug) {
   const std::vector<std::string> stems = file_stems(specs);
   const PictureWriter pictures(study, study.options().width, study.options().height, folder);
   if (every_frame) {
-    make_folder(folder / "reference-frames");
-    for (const std::string& stem : stems) make_folder(folder / (stem + "-frames"));
+    std::filesystem::create_directory(folder / "reference-frames");
+    for (const std::string& stem : stems) std::filesystem::create_directory(folder / (stem + "-frames"));
   }
   Report named;  // holds the pictures' names until there is the report
   named.results.resize(specs.size());
@@ -114,17 +107,39 @@ Report compare_along_path(PathStudy& study, std::span<const shadow::Spec> specs,
     }
     if (frame != study.pictured_frame()) return;
     pictures.truth(named);
-    for (size_t i = 0; i < stems.size(); ++i) pictures.technique(outcomes[i], stems[i], named.results[i]);
+    for (size_t i = 0; i < stems.size(); ++i) pictures.technique(outcomes[i], debug, stems[i], named.results[i]);
   };
-  Report report = study.run(specs, {}, watch, progress);
+  Report report = study.run(specs, debug, watch, progress);
   report.reference_image = named.reference_image;
   report.reference_mask = named.reference_mask;
   for (size_t i = 0; i < stems.size(); ++i) {
     report.results[i].image = named.results[i].image;
     report.results[i].mask = named.results[i].mask;
     report.results[i].difference = named.results[i].difference;
+    report.results[i].debug = named.results[i].debug;
   }
   write_report(report, folder, before, progress);
+  return report;
+}
+
+}  // namespace
+
+Report compare_techniques(Study& study, std::span<const shadow::Spec> specs, const std::filesystem::path& folder,
+                          const Report* before, const Progress& progress, std::span<const std::string> debug) {
+  Report report;
+  write_folder(folder, [&](const std::filesystem::path& temporary) {
+    report = write_techniques(study, specs, temporary, before, progress, debug);
+  });
+  return report;
+}
+
+Report compare_along_path(PathStudy& study, std::span<const shadow::Spec> specs, const std::filesystem::path& folder,
+                          bool every_frame, const Report* before, const Progress& progress,
+                          std::span<const std::string> debug) {
+  Report report;
+  write_folder(folder, [&](const std::filesystem::path& temporary) {
+    report = write_path(study, specs, temporary, every_frame, before, progress, debug);
+  });
   return report;
 }
 

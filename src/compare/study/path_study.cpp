@@ -14,7 +14,8 @@ namespace {
 /// One technique's way through the frames.
 class Course {
  public:
-  Course(const StudyView& view, const shadow::Spec& spec) : technique_(view, spec) {}
+  Course(const StudyView& view, const shadow::Spec& spec, const Progress& progress)
+      : technique_(view, spec, progress) {}
 
   /// Draws the frame and measures it. `timed` frames count for the milliseconds.
   Outcome step(StudyView& view, uint64_t index, bool timed, std::span<const std::string> debug) {
@@ -149,7 +150,7 @@ Report PathStudy::run(std::span<const shadow::Spec> specs, std::span<const std::
   StudyView& view = impl_->view;
   const bool with_reference = view.options().reference;
   std::vector<Course> courses;
-  for (const shadow::Spec& spec : specs) courses.emplace_back(view, spec);
+  for (const shadow::Spec& spec : specs) courses.emplace_back(view, spec, progress);
 
   Report report;
   std::vector<double> camera_milliseconds, reference_milliseconds;
@@ -196,6 +197,7 @@ Report PathStudy::run(std::span<const shadow::Spec> specs, std::span<const std::
   if (lit.compared > 0)
     report.reference_lit_fraction = static_cast<double>(lit.lit) / static_cast<double>(lit.compared);
   report.notes = impl_->notes;
+  if (with_reference && lit.compared == 0) report.notes.push_back(nothing_compared);
   for (Course& course : courses) report.results.push_back(course.finish(with_reference && frame_count() > 1));
   progress("frames", 1);
   return report;

@@ -7,17 +7,20 @@ namespace shadewright::compare {
 struct Study::Impl {
   StudyView view;
   Report report;
+  Progress progress;
 
-  Impl(const gpu::Device& device, const Scene& scene, const StudyOptions& options) : view(device, scene, options, 0) {}
+  Impl(const gpu::Device& device, const Scene& scene, const StudyOptions& options, const Progress& study_progress)
+      : view(device, scene, options, 0), progress(study_progress) {}
 };
 
 Study::Study(const gpu::Device& device, const Scene& scene, const Camera& camera, const Light& light,
              const StudyOptions& options, const Progress& progress)
-    : impl_(std::make_unique<Impl>(device, scene, options)) {
+    : impl_(std::make_unique<Impl>(device, scene, options, progress)) {
   progress("camera pass", 0);
   impl_->view.show({0, camera, light}, options.repeat);
   impl_->view.trace(true, progress);
   impl_->report = impl_->view.describe();
+  if (options.reference && impl_->view.count_lit().compared == 0) impl_->report.notes.push_back(nothing_compared);
   progress("reference", 1);
 }
 
@@ -38,7 +41,7 @@ std::span<const uint8_t> Study::reference() const {
 
 Outcome Study::run(const shadow::Spec& spec, std::span<const std::string> debug) {
   StudyView& view = impl_->view;
-  TechniqueRun technique(view, spec);
+  TechniqueRun technique(view, spec, impl_->progress);
   const uint32_t repeat = view.options().repeat;
   StageLog log;
   for (uint32_t i = 0; i <= repeat; ++i) {

@@ -268,6 +268,28 @@ TEST_F(StudyTest, ALightFromBelowLeavesNothingLit) {
   EXPECT_GE(run(study, "sm@1024").result.error.match, 0.98);
 }
 
+TEST_F(StudyTest, TellsPlacesInTheFilesCoordinates) {
+  Scene scene = make_builtin("chess");
+  scene.origin = {4.5e6, 100, 5e5};
+  const Camera& camera = scene.cameras.front();
+  const Light& light = scene.lights.front();
+  const Study study(device(), scene, camera, light, small());
+  EXPECT_EQ(study.report().camera.eye, camera.eye + scene.origin);
+  EXPECT_EQ(study.report().camera.target, camera.target + scene.origin);
+  EXPECT_EQ(study.report().light.position, light.position + scene.origin);
+}
+
+TEST_F(StudyTest, TakesTheDebugImagesThatATechniqueHas) {
+  const Scene scene = make_builtin("spheres");
+  Study study(device(), scene, scene.cameras.front(), scene.lights.front(), small());
+  const std::vector<std::string> names{"cascades", "shadow-map"};
+  const Outcome sm = study.run(shadow::parse_spec("sm@256"), names), ray = study.run(shadow::parse_spec("ray"), names);
+  ASSERT_EQ(sm.debug.size(), 2u);
+  EXPECT_TRUE(sm.debug[0].pixels.empty());
+  EXPECT_FALSE(sm.debug[1].pixels.empty());
+  EXPECT_EQ(ray.debug.size(), 2u);
+}
+
 TEST_F(StudyTest, TakesTurnsWithFramesInFlightAndKindsOfLight) {
   const Scene scene = make_builtin("spheres");
   const render::SceneGpu scene_gpu(device(), scene);

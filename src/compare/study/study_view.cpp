@@ -99,7 +99,10 @@ Report StudyView::describe() const {
   report.height = options_.height;
   report.camera = moment_.camera;
   report.camera.near = near_;
+  report.camera.eye += scene_.origin;
+  report.camera.target += scene_.origin;
   report.light = moment_.light;
+  report.light.position += scene_.origin;
   report.reference_milliseconds = reference_milliseconds_;
   report.camera_pass_milliseconds = camera_milliseconds_;
   const LitCount count = count_lit();

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "shadewright/compare/study.h"
@@ -11,6 +12,9 @@
 #include "shadewright/shadow/technique.h"
 
 namespace shadewright::compare {
+
+/// The report's note where no pixel was compared.
+inline const std::string nothing_compared = "no pixel faces the light: nothing was compared";
 
 class StudyView {
  public:
@@ -46,7 +50,7 @@ class StudyView {
     uint64_t compared = 0, lit = 0;
   };
   LitCount count_lit() const;
-  /// A report about this view, without results.
+  /// A report about this view, without results; places are in the scene file's coordinates.
   Report describe() const;
 
  private:

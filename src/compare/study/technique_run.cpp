@@ -46,10 +46,11 @@ MetricsInput metrics_input(const StudyView& view, std::span<const float> visibil
   return input;
 }
 
-TechniqueRun::TechniqueRun(const StudyView& view, const shadow::Spec& spec) : spec_(spec) {
+TechniqueRun::TechniqueRun(const StudyView& view, const shadow::Spec& spec, const Progress& progress) : spec_(spec) {
   const StudyOptions& options = view.options();
   if (spec.parameterization != "ray")
-    technique_ = shadow::make_technique(view.device(), spec, {options.width, options.height, 1, true, &view.scene()});
+    technique_ =
+        shadow::make_technique(view.device(), spec, {options.width, options.height, 1, true, &view.scene(), progress});
 }
 
 std::vector<gpu::StageTime> TechniqueRun::draw(StudyView& view, uint64_t index) {
@@ -66,6 +67,7 @@ Outcome TechniqueRun::outcome(StudyView& view, uint64_t index, std::span<const s
   Outcome outcome;
   outcome.result.technique = spec_.text;
   outcome.result.spec = spec_.canonical();
+  outcome.debug.resize(debug.size());
   std::optional<shadow::OracleRays> oracle;
   if (technique_) {
     outcome.result.memory = technique_->allocations();
@@ -74,7 +76,9 @@ Outcome TechniqueRun::outcome(StudyView& view, uint64_t index, std::span<const s
     shadow::Frame frame = view.frame();
     frame.index = index;
     if (view.options().reference) oracle = technique_->oracle_rays(frame);
-    for (const std::string& name : debug) outcome.debug.push_back(technique_->debug_picture(name));
+    for (size_t i = 0; i < debug.size(); ++i)
+      if (std::ranges::count(technique_->debug_names(), debug[i]) > 0)
+        outcome.debug[i] = technique_->debug_picture(debug[i]);
   } else {
     outcome.visibility.assign(view.reference().begin(), view.reference().end());
   }

@@ -13,8 +13,8 @@ namespace shadewright::compare {
 
 class TechniqueRun {
  public:
-  /// Makes the technique; none for `ray`, whose answer is the reference itself.
-  TechniqueRun(const StudyView& view, const shadow::Spec& spec);
+  /// Makes the technique, which bakes with `progress`; none for `ray`, whose answer is the reference itself.
+  TechniqueRun(const StudyView& view, const shadow::Spec& spec, const Progress& progress);
 
   /// Draws the technique into what `view` shows, as frame `index`, and returns what each stage took.
   std::vector<gpu::StageTime> draw(StudyView& view, uint64_t index);

@@ -112,7 +112,49 @@ std::vector<uint32_t> gather_words(const voxel::VoxelShadow& shadow, std::span<s
   return words;
 }
 
+/// What the spec asks of a look-up, `shadow` must have been baked for.
+void check_use(const Spec& spec, const voxel::VoxelShadow& shadow) {
+  const voxel::ShadowProperties& properties = shadow.properties();
+  const std::string subject = fmt::format("spec '{}'", spec.text);
+  if (spec.number("taps") > properties.max_filter)
+    throw InputError(subject, fmt::format("the shadow was baked for filters up to {}", properties.max_filter),
+                     "bake with a larger --max-filter");
+  if (spec.choice("far") == "mraa" && shadow.dags().size() < 2)
+    throw InputError(subject, "the shadow has no lower resolutions for far=mraa", "bake with --mraa, or use far=voaa");
+  if (spec.nested("dynamic") && properties.static_receivers)
+    throw InputError(subject, "a shadow baked for static receivers is undefined where moving ones can be",
+                     "bake without --static");
+}
+
+voxel::VoxelShadow bake(const Spec& spec, const Scene& scene, const Light& light, const Progress& progress) {
+  voxel::BakeOptions options;
+  options.resolution = spec.resolution;
+  options.max_filter = static_cast<uint32_t>(spec.number("taps"));
+  options.pyramid = spec.choice("far") == "mraa";
+  options.static_receivers = spec.choice("static") == "1";
+  const std::string closed = spec.choice("closed");
+  options.closed = closed == "all"    ? voxel::ClosedMode::all
+                   : closed == "none" ? voxel::ClosedMode::none
+                                      : voxel::ClosedMode::automatic;
+  voxel::VoxelShadow shadow = voxel::bake(scene, light, options, progress).shadow;
+  check_use(spec, shadow);
+  return shadow;
+}
+
 }  // namespace
+
+voxel::VoxelShadow open_baked(const Spec& spec, const Scene* scene, const Light& light) {
+  const std::string file = spec.choice("file");
+  voxel::VoxelShadow shadow = voxel::open(file);
+  if (scene) shadow = shadow.moved(-scene->origin);  // baked in the scene file's coordinates
+  check_light_of_file(shadow.light(), light, file);
+  if (spec.resolution != 0 && spec.resolution != shadow.light().size())
+    throw InputError(fmt::format("spec '{}'", spec.text),
+                     fmt::format("'{}' has {} voxels per axis", file, shadow.light().size()),
+                     "leave the resolution out");
+  check_use(spec, shadow);
+  return shadow;
+}
 
 Precomputed::Precomputed(const gpu::Device& device, const Spec& spec, const TechniqueOptions& options)
     : Technique(device), spec_(spec), options_(options) {
@@ -139,7 +181,7 @@ Precomputed::Precomputed(const gpu::Device& device, const Spec& spec, const Tech
 Precomputed::~Precomputed() = default;
 
 void Precomputed::prepare(const Frame& frame, gpu::Recorder& recorder) {
-  if (!light_ || !same_light(*light_, frame.light)) use(bake_or_open(frame.light), frame.light);
+  if (!light_ || !same_light(*light_, frame.light)) bake_or_open(frame.light);
   if (moving_) {
     Frame moving = frame;
     moving.casters = render::InstanceFilter::moving;
@@ -148,41 +190,12 @@ void Precomputed::prepare(const Frame& frame, gpu::Recorder& recorder) {
   recorder.cpu_stage("shadow constants", [&] { write_constants(frame); });
 }
 
-voxel::VoxelShadow Precomputed::bake_or_open(const Light& light) {
+void Precomputed::bake_or_open(const Light& light) {
   const auto start = std::chrono::steady_clock::now();
-  const uint32_t taps = static_cast<uint32_t>(spec_.number("taps"));
-  const std::string file = spec_.choice("file");
-  voxel::VoxelShadow shadow;
-  if (!file.empty()) {
-    shadow = voxel::open(file);
-    if (options_.scene) shadow = shadow.moved(-options_.scene->origin);  // baked in the scene file's coordinates
-    check_light_of_file(shadow.light(), light, file);
-    if (spec_.resolution != 0 && spec_.resolution != shadow.light().size())
-      throw InputError(spec_.text, fmt::format("'{}' has {} voxels per axis", file, shadow.light().size()),
-                       "leave the resolution out");
-  } else {
-    voxel::BakeOptions bake;
-    bake.resolution = spec_.resolution;
-    bake.max_filter = taps;
-    bake.pyramid = spec_.choice("far") == "mraa";
-    bake.static_receivers = spec_.choice("static") == "1";
-    const std::string closed = spec_.choice("closed");
-    bake.closed = closed == "all"    ? voxel::ClosedMode::all
-                  : closed == "none" ? voxel::ClosedMode::none
-                                     : voxel::ClosedMode::automatic;
-    shadow = voxel::bake(*options_.scene, light, bake, options_.progress).shadow;
-  }
-  const voxel::ShadowProperties& properties = shadow.properties();
-  if (taps > properties.max_filter)
-    throw InputError(spec_.text, fmt::format("'{}' was baked for filters up to {}", file, properties.max_filter),
-                     "bake with a larger --max-filter");
-  if (spec_.choice("far") == "mraa" && shadow.dags().size() < 2)
-    throw InputError(spec_.text, fmt::format("'{}' has no pyramid", file), "bake with --mraa, or use far=voaa");
-  if (moving_ && properties.static_receivers)
-    throw InputError(spec_.text, "a shadow baked for static receivers is undefined where moving ones can be",
-                     "bake without --static");
+  voxel::VoxelShadow shadow = spec_.choice("file").empty() ? bake(spec_, *options_.scene, light, options_.progress)
+                                                           : open_baked(spec_, options_.scene, light);
   bake_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return shadow;
+  use(std::move(shadow), light);
 }
 
 void Precomputed::use(voxel::VoxelShadow shadow, const Light& light) {

@@ -20,6 +20,10 @@
 
 namespace shadewright::shadow {
 
+/// Opens the file that `spec` names and moves it to where `scene`, if not null, has its zero. InputError where it does
+/// not fit the spec or `light`.
+voxel::VoxelShadow open_baked(const Spec& spec, const Scene* scene, const Light& light);
+
 class Precomputed final : public Technique {
  public:
   /// InputError where neither a scene to bake nor a file is given.
@@ -56,7 +60,7 @@ class Precomputed final : public Technique {
   };
 
   uint32_t slot(const Frame& frame) const { return static_cast<uint32_t>(frame.index % options_.frames_in_flight); }
-  voxel::VoxelShadow bake_or_open(const Light& light);
+  void bake_or_open(const Light& light);
   Access choose_access(uint64_t words) const;
   void upload_words(std::span<const uint32_t> words);
   void make_sets();

@@ -262,6 +262,12 @@ TEST_F(PrecomputedTest, RefusesFilesOfAnotherLight) {
   EXPECT_THROW(stage.look_up(*stage.make("cpvs@512,file=" + file)), InputError);
   EXPECT_THROW(stage.look_up(*stage.make("cpvs,taps=17,file=" + file)), InputError);
   EXPECT_THROW(stage.look_up(*stage.make("cpvs,far=mraa,file=" + file)), InputError);
+  const auto check_spec = [&](const std::string& spec, const Light& light) { check(parse_spec(spec), scene, light); };
+  const Light& light = scene.lights.front();
+  EXPECT_NO_THROW(check_spec("cpvs,file=" + file, light));
+  for (const char* spec : {"cpvs@512,file=", "cpvs,taps=17,file=", "cpvs,far=mraa,file=", "cpvs,file=missing"})
+    EXPECT_THROW(check_spec(spec + file, light), InputError) << spec;
+  EXPECT_THROW(check_spec("cpvs,file=" + file, sun(200, 30)), InputError);
   const Stage other(device(), scene, scene.cameras.front(), sun(200, 30));
   try {
     other.look_up(*other.make("cpvs,file=" + file));
