@@ -1,6 +1,6 @@
 // shadewright devices: what it can run on, and which one it picks.
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "shadewright/gpu/device.h"
 #include "verbs.h"
