@@ -2,6 +2,8 @@
 #include "shadow/map_technique.h"
 
 #include <algorithm>
+#include <glm/gtc/matrix_access.hpp>
+#include <numeric>
 
 #include "gpu/device_for_test.h"
 #include "shadewright/scene/builtin.h"
@@ -40,6 +42,39 @@ TEST_F(MapTechniqueTest, FollowsTheKindOfTheLight) {
       EXPECT_EQ(view.look_up(*lasting), expected);
       ++view.frame().index;
     }
+  }
+}
+
+/// The camera's far plane and a lamp in its sight make the most planes that a view of casters has.
+TEST_F(MapTechniqueTest, TakesACameraWithAFarPlane) {
+  const Scene scene = make_builtin("sandbox");
+  const Camera& camera = scene.cameras.front();
+  const double near = near_distance(scene, camera), far = 1000;
+  render::CameraView finite = render::make_view(camera, near, width, height);
+  const glm::dvec4 depth = glm::row(finite.clip_from_world, 2), w = glm::row(finite.clip_from_world, 3);
+  finite.clip_from_world = glm::row(finite.clip_from_world, 2, (far * depth - near * w) / (far - near));
+  ASSERT_EQ(finite.planes().size(), 6u);
+  Light lamp, spot;
+  lamp.kind = LightKind::point;
+  spot.kind = LightKind::spot;
+  lamp.position = spot.position = glm::mix(camera.eye, camera.target, 0.6);
+  spot.direction = {0, -1, 0};
+  spot.outer_angle = 1.2;
+  for (const Plane& plane : finite.planes()) ASSERT_GT(plane.distance(lamp.position), 0);
+
+  ViewForTest with_far(device(), scene, finite), without(device(), scene, camera, width, height);
+  for (const auto& [text, light] :
+       {std::pair("sm@256", lamp), {"psm@256", lamp}, {"csm@256", spot}, {"rtw@256", spot}}) {
+    SCOPED_TRACE(text);
+    with_far.frame().light = without.frame().light = light;
+    const auto mask = [&](ViewForTest& view) {
+      return view.look_up(*make_technique(device(), parse_spec(text), {width, height}));
+    };
+    const auto found = mask(with_far), expected = mask(without);
+    EXPECT_GT(std::ranges::count(expected, std::byte{255}), 100);
+    const auto differing =
+        std::inner_product(found.begin(), found.end(), expected.begin(), 0, std::plus<>(), std::not_equal_to<>());
+    EXPECT_LT(differing, width * height / 100);
   }
 }
 

@@ -113,7 +113,7 @@ class CulledDraws {
   /// names.
   CulledDraws(const SceneGpu& scene, uint32_t max_views, uint32_t frames_in_flight, const std::string& name);
 
-  /// What each view must contain: at most 10 half-spaces a view, world space. `order` lists the clusters in drawing
+  /// What each view must contain: at most 12 half-spaces a view, world space. `order` lists the clusters in drawing
   /// order (empty = as stored). Only instances that `filter` lets through are drawn. Written for the frame `slot` <
   /// frames_in_flight; host writes only.
   void set_views(uint32_t slot, std::span<const std::vector<Plane>> views, std::span<const uint32_t> order = {},
