@@ -68,6 +68,7 @@ void MapTechnique::write_lookup_sets() {
 void MapTechnique::build_for(LightKind light) {
   if (built_for_ == light) return;
   device_.handle().waitIdle();  // earlier frames may still read the old map
+  built_for_.reset();  // until all has been made
   storage_.reset();
   draws_ = parameterization_->make_caster_draws(light, options_.frames_in_flight);
   storage_ = make_storage(device_, {spec_, parameterization_->map_extent(light), *draws_, lookup_sets_.layout()});

@@ -45,6 +45,53 @@ TEST_F(MapTechniqueTest, FollowsTheKindOfTheLight) {
   }
 }
 
+/// A technique is given another scene, at the address of the first one.
+TEST_F(MapTechniqueTest, FollowsTheScene) {
+  const Scene small = make_builtin("sandbox"), large = make_builtin("chess");
+  for (const char* text : {"sm@256", "csm@256", "psm@256", "rtw@256", "spsm@256", "rmsm@4096", "paged@4096,cache=on",
+                           "rmsm@4096,draw=superpages"}) {
+    const Spec spec = parse_spec(text);
+    const auto make = [&] { return make_technique(device(), spec, {width, height}); };
+    const auto lasting = make();
+    std::optional<ViewForTest> view;
+    for (const Scene* scene : {&small, &large, &small}) {
+      SCOPED_TRACE(std::string(text) + ", scene " + scene->name);
+      view.emplace(device(), *scene, scene->cameras.front(), width, height);
+      view->frame().light.direction = glm::normalize(glm::dvec3(0.4, -1, 0.3));
+      const auto expected = view->look_up(*make());
+      EXPECT_GT(std::ranges::count(expected, std::byte{0}), 100);
+      EXPECT_GT(std::ranges::count(expected, std::byte{255}), 100);
+      EXPECT_EQ(view->look_up(*lasting), expected);
+    }
+  }
+}
+
+/// What an earlier frame in flight draws from is not destroyed under it.
+TEST_F(MapTechniqueTest, FollowsTheSceneWithFramesInFlight) {
+  const Scene small = make_builtin("sandbox"), large = make_builtin("chess");
+  ViewForTest before(device(), small, small.cameras.front(), width, height);
+  ViewForTest after(device(), large, large.cameras.front(), width, height);
+  before.frame().light.direction = after.frame().light.direction = glm::normalize(glm::dvec3(0.4, -1, 0.3));
+  after.frame().index = 1;
+  for (const char* text : {"sm@256", "rtw@256", "spsm@256"}) {
+    SCOPED_TRACE(text);
+    const auto technique = make_technique(device(), parse_spec(text), {width, height});
+    before.look_up(*technique);  // shaders are compiled at their first use
+    const vk::raii::CommandPool pool(device().handle(), {{}, device().queue_family()});
+    const vk::raii::CommandBuffers buffers(device().handle(), {*pool, vk::CommandBufferLevel::ePrimary, 1});
+    const vk::raii::CommandBuffer& commands = buffers.front();
+    commands.begin({});
+    gpu::Recorder recorder(device(), *commands);
+    technique->prepare(before.frame(), recorder);
+    technique->record(before.frame(), recorder);
+    commands.end();
+    device().queue().submit(vk::SubmitInfo({}, {}, *commands));
+    const auto found = after.look_up(*technique);
+    EXPECT_EQ(found, after.look_up(*make_technique(device(), parse_spec(text), {width, height})));
+    device().handle().waitIdle();
+  }
+}
+
 /// The camera's far plane and a lamp in its sight make the most planes that a view of casters has.
 TEST_F(MapTechniqueTest, TakesACameraWithAFarPlane) {
   const Scene scene = make_builtin("sandbox");

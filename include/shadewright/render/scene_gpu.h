@@ -47,6 +47,8 @@ class SceneGpu {
   uint64_t update_count() const { return update_count_; }
 
   const gpu::Device& device() const { return device_; }
+  /// Another number for each scene that is made in this process: a new one may stand at an old one's address.
+  uint64_t generation() const { return generation_; }
   /// World bounds of all instances.
   const Box& bounds() const { return bounds_; }
   /// World bounds of each instance, by its index in Scene::instances.
@@ -86,6 +88,7 @@ class SceneGpu {
   void place_clusters(const Mover& mover);
 
   const gpu::Device& device_;
+  uint64_t generation_;
   Box bounds_, unmoving_bounds_;
   std::vector<Box> instance_bounds_, mesh_bounds_;
   std::vector<uint32_t> moving_instances_;
