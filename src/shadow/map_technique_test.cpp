@@ -125,6 +125,31 @@ TEST_F(MapTechniqueTest, TakesACameraWithAFarPlane) {
   }
 }
 
+/// Layers that nothing receives in are undefined: the picture does not show them.
+TEST_F(MapTechniqueTest, ShowsNoLayerThatHoldsNothing) {
+  const Scene scene = make_builtin("sandbox");
+  ViewForTest view(device(), scene, scene.cameras.front(), width, height);
+  view.frame().light = Light{};
+  view.frame().light.kind = LightKind::point;
+  view.frame().light.position = scene.cameras.front().target + glm::dvec3(0.3, 30, 0.2);
+  for (const char* text : {"sm@64", "vsm@64", "spsm@64", "rgsm@64"}) {
+    SCOPED_TRACE(text);
+    const auto technique = make_technique(device(), parse_spec(text), {width, height});
+    view.look_up(*technique);
+    const Picture picture = technique->debug_picture("shadow-map");
+    const std::span pixels(picture.pixels);
+    const size_t layer_pixels = 64 * 64;
+    size_t drawn = 0;
+    for (const MapView& map : technique->views()) {
+      drawn += map.drawn;
+      const auto layer = pixels.subspan(map.layer * layer_pixels, layer_pixels);
+      EXPECT_EQ(std::ranges::any_of(layer, [](const glm::u8vec4& p) { return p.r > 0; }), map.drawn);
+    }
+    EXPECT_GT(drawn, 0u);
+    EXPECT_LT(drawn, 6u);
+  }
+}
+
 /// Passes over the camera's buffers take four pixels at once: beyond an image of odd size is nothing. A light of each
 /// direction: what a sampler's border holds, if it were taken for a surface, would face some of them.
 TEST_F(MapTechniqueTest, SeesNothingBeyondTheImage) {

@@ -13,7 +13,7 @@ namespace shadewright::shared {
 struct MapViewData {
   mat4 map_from_world;  // (u w, v w, depth w, w)
   mat4 world_from_map;
-  uint drawn;        // 0: nothing receives in this view and its layer holds nothing
+  uint drawn;        // 0: nothing receives in this view, and its layer is not even cleared
   float slope_unit;  // map depth that a texel's width along the light makes, in the middle of the map
 };
 const uint max_map_views = 8;
