@@ -12,4 +12,7 @@ struct FilterReach {
 
 FilterReach filter_reach(const Spec& spec);
 
+/// The least resolution of a cascaded map that has room for receivers beside the filter's reach.
+uint32_t least_cascade_resolution(const Spec& spec);
+
 }  // namespace shadewright::shadow
