@@ -7,7 +7,9 @@
 
 #include "gpu/device_for_test.h"
 #include "shadewright/scene/builtin.h"
+#include "shadow/lookup_passes.h"
 #include "shadow/parts.h"
+#include "shadow/receiver_strips.h"
 #include "shadow/view_for_test.h"
 
 namespace shadewright::shadow {
@@ -123,6 +125,29 @@ TEST_F(MapTechniqueTest, TakesACameraWithAFarPlane) {
         std::inner_product(found.begin(), found.end(), expected.begin(), 0, std::plus<>(), std::not_equal_to<>());
     EXPECT_LT(differing, width * height / 100);
   }
+}
+
+/// An image that takes two strips of the look-up: what was put off in each is answered in its place. The picture of
+/// decisions asks without putting off.
+TEST_F(MapTechniqueTest, LooksUpAnImageInStrips) {
+  const Scene scene = make_builtin("sandbox");
+  constexpr uint32_t side = 2056;
+  ASSERT_EQ(receiver_strips(side, side, most_deferred).size(), 2u);
+  ViewForTest view(device(), scene, scene.cameras.front(), side, side);
+  view.frame().light = scene.lights.front();
+  const auto technique = make_technique(device(), parse_spec("spsm@128"), {side, side});
+  const auto found = view.look_up(*technique);
+  const Picture decisions = technique->debug_picture("decisions");
+  size_t wrong = 0, told = 0;
+  for (size_t i = 0; i < found.size(); ++i) {
+    const glm::u8vec4 color = decisions.pixels[i];
+    const int brightest = std::max({color.r, color.g, color.b});
+    if (brightest == 20) continue;  // no receiver
+    ++told;
+    wrong += found[i] != (brightest >= 200 ? std::byte{255} : std::byte{0});
+  }
+  EXPECT_GT(told, found.size() / 10);
+  EXPECT_EQ(wrong, 0u);
 }
 
 /// Layers that nothing receives in are undefined: the picture does not show them.

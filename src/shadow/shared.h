@@ -54,6 +54,13 @@ struct LookupUniform {
 };
 #endif
 
+/// Rows of the image that a pass over receivers works on at once: what it writes for all rows of a large image is more
+/// than a storage binding holds.
+struct ReceiverStrip {
+  uint first_row;
+  uint rows;
+};
+
 /// A look-up writes so many pixels of a row at once, a byte each of a word; a row takes `answer_words` of them.
 const int answers_a_word = 4;
 #ifdef __cplusplus
