@@ -3,6 +3,7 @@
 #include <meshoptimizer.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <glm/gtc/packing.hpp>
 #include <numeric>
@@ -105,10 +106,15 @@ uint32_t packed_normal(const Mesh& mesh, const glm::uvec3& triangle) {
   return octahedral_packed(glm::cross(b - a, c - a));
 }
 
+uint64_t next_generation() {
+  static std::atomic<uint64_t> last{0};
+  return ++last;
+}
+
 }  // namespace
 
 SceneGpu::SceneGpu(const gpu::Device& device, const Scene& scene, double time, uint32_t frames_in_flight)
-    : device_(device) {
+    : device_(device), generation_(next_generation()) {
   // Instances of one mesh side by side, in the scene's order.
   std::vector<uint32_t> instance_order(scene.instances.size());
   std::iota(instance_order.begin(), instance_order.end(), 0u);

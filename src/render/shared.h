@@ -61,7 +61,8 @@ struct ClusterData {
 /// only.
 const uint listed_alignment = 8;
 
-const uint max_cull_planes = 10;
+/// A caster's view has five half-spaces of the light and, with the light in sight, six of a camera with a far plane.
+const uint max_cull_planes = 12;
 
 /// What one view draws: clusters inside all planes (world space, inside is positive), of instances of the `kinds`.
 struct CullView {

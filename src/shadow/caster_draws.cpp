@@ -1,6 +1,13 @@
 #include "shadow/caster_draws.h"
 
+#include <algorithm>
+
 namespace shadewright::shadow {
+
+bool CasterDraws::holds(uint32_t layer) const {
+  return keeps() ||
+         std::ranges::any_of(targets(), [&](const MapView& view) { return view.drawn && view.layer == layer; });
+}
 
 void CasterDraws::draw_targets(const vk::raii::CommandBuffer& commands, const Frame& frame, gpu::Image& depth,
                                std::span<gpu::Image> colors, vk::DescriptorSet lookup_set) const {

@@ -45,12 +45,14 @@ class CasterDraws {
 
   /// True if a target keeps what it held in the last frame, but for what `draw` empties and draws anew.
   virtual bool keeps() const { return false; }
+  /// Whether `layer` holds what was drawn: else it is undefined.
+  bool holds(uint32_t layer) const;
   /// Device work before the rendering of target `index`.
   virtual void before(const vk::raii::CommandBuffer& /*commands*/, const Frame&, uint32_t /*index*/,
                       vk::DescriptorSet /*lookup_set*/) const {}
   /// Draws every drawn target into its layer of `depth`, which is cleared to 1 unless it keeps, and of `colors`, which
   /// are not cleared: a texel whose depth is 1 is empty, whatever its colors. All images are left in shader-read
-  /// layout.
+  /// layout. Layers without a drawn target stay undefined.
   void draw_targets(const vk::raii::CommandBuffer& commands, const Frame& frame, gpu::Image& depth,
                     std::span<gpu::Image> colors, vk::DescriptorSet lookup_set) const;
 };

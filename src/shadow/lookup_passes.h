@@ -1,5 +1,5 @@
-// The look-up of a frame's receivers: one dispatch over the image, and further ones over those receivers whose answer
-// takes longer (see lookup.comp.in).
+// The look-up of a frame's receivers, in strips of a large image: one dispatch over a strip, and further ones over
+// those receivers whose answer takes longer (see lookup.comp.in).
 #pragma once
 
 #include <span>
@@ -7,8 +7,12 @@
 
 #include "shadewright/gpu/pass.h"
 #include "shadewright/shadow/technique.h"
+#include "shadow/shared.h"
 
 namespace shadewright::shadow {
+
+/// Receivers of a strip, for whose further passes one dimension of a dispatch is long enough on every device.
+constexpr uint64_t most_deferred = uint64_t{65535} * shared::deferred_group;
 
 class LookupPasses {
  public:
@@ -28,7 +32,11 @@ class LookupPasses {
   std::vector<Allocation> allocations() const;
 
  private:
+  void record_strip(const vk::raii::CommandBuffer& commands, const shared::ReceiverStrip& strip,
+                    std::span<const gpu::Binding> bindings, vk::DescriptorSet lookup_set, gpu::Image& visibility) const;
+
   vk::Extent2D extent_;
+  std::vector<shared::ReceiverStrip> strips_;  ///< looked up one after the other, into the same buffers
   std::vector<gpu::ComputePass> passes_;
   gpu::Buffer answers_;   ///< of the first pass, a byte a pixel; unless it stores them itself
   gpu::Buffer deferred_;  ///< DeferredReceivers of each pass, then their pixels; with several passes

@@ -68,6 +68,7 @@ void MapTechnique::write_lookup_sets() {
 void MapTechnique::build_for(LightKind light) {
   if (built_for_ == light) return;
   device_.handle().waitIdle();  // earlier frames may still read the old map
+  built_for_.reset();           // until all has been made
   storage_.reset();
   draws_ = parameterization_->make_caster_draws(light, options_.frames_in_flight);
   storage_ = make_storage(device_, {spec_, parameterization_->map_extent(light), *draws_, lookup_sets_.layout()});
@@ -89,8 +90,7 @@ void MapTechnique::prepare(const Frame& frame, gpu::Recorder& recorder) {
     write_constants(frame);
     draws_->prepare(frame, slot(frame), parameterization_->views());
   });
-  last_ = {lookup_sets_.layout(), lookup_set(frame), receiver_bindings(frame),
-           options_.width,        options_.height,   shared_kind(frame.light.kind)};
+  last_ = receiver_lookup(frame);
   parameterization_->refine(frame, last_, recorder, [&] { draw(frame, recorder); });
 }
 
@@ -118,10 +118,12 @@ void MapTechnique::write_constants(const Frame& frame) {
   constants.lookup = lookup;
 }
 
-std::vector<gpu::Binding> MapTechnique::receiver_bindings(const Frame& frame) const {
+ReceiverLookup MapTechnique::receiver_lookup(const Frame& frame) const {
   using gpu::Binding;
-  return {Binding::uniform(cameras_[slot(frame)]), Binding::sampled(frame.depth, *sampler_),
-          Binding::sampled(frame.normal, *sampler_)};
+  const std::vector receivers{Binding::uniform(cameras_[slot(frame)]), Binding::sampled(frame.depth, *sampler_),
+                              Binding::sampled(frame.normal, *sampler_)};
+  return {lookup_sets_.layout(), lookup_set(frame), receivers,
+          options_.width,        options_.height,   shared_kind(frame.light.kind)};
 }
 
 void MapTechnique::draw(const Frame& frame, gpu::Recorder& recorder) {
@@ -167,31 +169,16 @@ std::vector<uint32_t> MapTechnique::lookup_constants() const {
 }
 
 std::optional<OracleRays> MapTechnique::oracle_rays(const Frame& frame) {
-  using enum gpu::BindingKind;
-  const vk::DescriptorSetLayout lookup_layout = lookup_sets_.layout();
-  const gpu::ComputePass pass(
-      device_, oracle_shader(spec_.parameterization),
-      {uniform_buffer, sampled_image, sampled_image, storage_buffer, storage_buffer, storage_buffer}, 0,
-      std::span(&lookup_layout, 1), {shared_kind(frame.light.kind)});
-  const size_t pixels = size_t{options_.width} * options_.height;
-  const uint64_t bytes = pixels * sizeof(glm::vec3);
-  const gpu::Buffer origins(device_, "oracle origins", bytes), texel_u(device_, "oracle texels", bytes),
-      texel_v(device_, "oracle texels", bytes);
-  gpu::submit_and_wait(device_, [&](const vk::raii::CommandBuffer& commands) {
-    auto bindings = receiver_bindings(frame);
-    for (const gpu::Buffer* buffer : {&origins, &texel_u, &texel_v}) bindings.push_back(gpu::Binding::storage(*buffer));
-    const vk::DescriptorSet set = lookup_set(frame);
-    pass.dispatch(commands, bindings, {}, {gpu::groups(options_.width, 8), gpu::groups(options_.height, 8), 1},
-                  std::span(&set, 1));
-  });
-  const auto read = [&](const gpu::Buffer& buffer) {
-    std::vector<glm::vec3> values(pixels);
-    const auto data = gpu::read_back(device_, buffer, bytes);
-    std::memcpy(values.data(), data.data(), bytes);
+  const auto answers =
+      receiver_answers(device_, oracle_shader(spec_.parameterization), receiver_lookup(frame), 3, sizeof(glm::vec3));
+  const auto points = [](const std::vector<std::byte>& bytes) {
+    std::vector<glm::vec3> values(bytes.size() / sizeof(glm::vec3));
+    std::memcpy(values.data(), bytes.data(), bytes.size());
     return values;
   };
   const bool one_texel_answers = spec_.storage == "depth" && spec_.filter == "hard";
-  return OracleRays{one_texel_answers ? read(origins) : std::vector<glm::vec3>{}, read(texel_u), read(texel_v)};
+  return OracleRays{one_texel_answers ? points(answers[0]) : std::vector<glm::vec3>{}, points(answers[1]),
+                    points(answers[2])};
 }
 
 std::vector<uint32_t> MapTechnique::last_decisions() const {

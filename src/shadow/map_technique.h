@@ -40,7 +40,7 @@ class MapTechnique final : public Technique {
   void write_constants(const Frame& frame);
   /// Culls the casters and draws them into the map.
   void draw(const Frame& frame, gpu::Recorder& recorder);
-  std::vector<gpu::Binding> receiver_bindings(const Frame& frame) const;
+  ReceiverLookup receiver_lookup(const Frame& frame) const;
   /// How the receivers of the last recorded frame were decided, see decisions.h. Waits.
   std::vector<uint32_t> last_decisions() const;
 

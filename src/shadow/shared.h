@@ -13,7 +13,7 @@ namespace shadewright::shared {
 struct MapViewData {
   mat4 map_from_world;  // (u w, v w, depth w, w)
   mat4 world_from_map;
-  uint drawn;        // 0: nothing receives in this view and its layer holds nothing
+  uint drawn;        // 0: nothing receives in this view, and its layer is not even cleared
   float slope_unit;  // map depth that a texel's width along the light makes, in the middle of the map
 };
 const uint max_map_views = 8;
@@ -53,6 +53,13 @@ struct LookupUniform {
   MapViewData map_views[max_map_views];
 };
 #endif
+
+/// Rows of the image that a pass over receivers works on at once: what it writes for all rows of a large image is more
+/// than a storage binding holds.
+struct ReceiverStrip {
+  uint first_row;
+  uint rows;
+};
 
 /// A look-up writes so many pixels of a row at once, a byte each of a word; a row takes `answer_words` of them.
 const int answers_a_word = 4;

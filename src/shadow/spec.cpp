@@ -13,6 +13,7 @@
 #include <stdexcept>
 
 #include "shadewright/error.h"
+#include "shadow/filter/reach.h"
 #include "shadow/parts.h"
 
 namespace shadewright::shadow {
@@ -341,6 +342,17 @@ const SpecAlias* find_alias(std::string_view text) {
   return found == aliases.end() ? nullptr : found;
 }
 
+/// Other parameterizations find the texels beyond a map's edge elsewhere, or lose a filter's edge only.
+void check_reach(const Spec& spec) {
+  if (spec.parameterization != "cascaded") return;
+  if (const uint32_t least = least_cascade_resolution(spec); spec.resolution < least)
+    throw InputError(
+        fmt::format("spec '{}'", spec.text),
+        fmt::format("the filter reaches {} texels to each side, and a cascade of {} has no room for more",
+                    filter_reach(spec).texels, spec.resolution),
+        fmt::format("give @{} or more, or a smaller {}", least, spec.storage == "moments" ? "blur" : "radius"));
+}
+
 /// Replaces an alias at the start of `text` ("pcf@512" -> "uniform/depth/pcf@512"; an alias's own keys go last).
 std::string expand_alias(std::string_view text) {
   const SpecAlias* alias = find_alias(text);
@@ -407,6 +419,7 @@ Spec parse_spec(std::string_view text) {
   const Resolutions allowed = resolutions(spec.parameterization);
   spec.resolution = resolution ? parse_resolution(spec.text, *resolution, allowed) : allowed.standard;
   parse_keys();
+  check_reach(spec);
   return spec;
 }
 

@@ -95,6 +95,16 @@ TEST(SpecTest, RefusesUnbuiltPartsByName) {
   EXPECT_NE(refusal("paged/triangle").find("not built yet"), std::string::npos) << refusal("paged/triangle");
 }
 
+TEST(SpecTest, RefusesCascadesThatTheFilterFills) {
+  EXPECT_NE(refusal("csm@20,radius=8").find("reaches 9.5 texels"), std::string::npos) << refusal("csm@20,radius=8");
+  EXPECT_NE(refusal("csm@20,radius=8").find("give @22 or more, or a smaller radius"), std::string::npos);
+  EXPECT_EQ(refusal("csm@22,radius=8"), "accepted");
+  EXPECT_NE(refusal("csm@22,radius=8,stable=1").find("give @23"), std::string::npos);
+  EXPECT_NE(refusal("cascaded/moments/pcf@34,blur=16").find("give @37 or more, or a smaller blur"), std::string::npos);
+  EXPECT_EQ(refusal("cascaded/moments/pcf@37,blur=16"), "accepted");
+  EXPECT_EQ(refusal("csm@16,width=1000"), "accepted");
+}
+
 TEST(SpecTest, KnowsWhichLightsATechniqueServes) {
   for (const char* text : {"sm", "psm", "rmsm", "spsm"})
     EXPECT_TRUE(serves(parse_spec(text), LightKind::point)) << text;

@@ -33,19 +33,24 @@ void ViewCasterDraws::ask_for_sides(const CasterPipelineDesc& desc) {
   if (desc.sides) sides_desc_.emplace(desc);
 }
 
+void ViewCasterDraws::make_draws(const render::SceneGpu& scene) {
+  scene.device().handle().waitIdle();  // earlier frames may still draw the old scene
+  scene_ = {};
+  small_.reset();
+  sides_.reset();
+  draws_.emplace(scene, max_views_, frames_in_flight_, "shadow");
+  if (sides_desc_) {
+    const bool splits = compacts() && SmallCasters::serves(scene, sides_desc_->extent);
+    sides_.emplace(scene, compacts(), splits, sides_desc_->lookup_layout);
+    if (splits) small_.emplace(scene, *sides_desc_);
+  }
+  scene_ = KnownScene(&scene);
+}
+
 void ViewCasterDraws::prepare(const Frame& frame, uint32_t slot, std::span<const MapView> views) {
   views_ = views;
   if (!frame.scene) return;
-  if (scene_ != frame.scene) {
-    draws_.emplace(*frame.scene, max_views_, frames_in_flight_, "shadow");
-    scene_ = frame.scene;
-    small_.reset();
-    if (sides_desc_) {
-      const bool splits = compacts() && SmallCasters::serves(*scene_, sides_desc_->extent);
-      sides_.emplace(*scene_, compacts(), splits, sides_desc_->lookup_layout);
-      if (splits) small_.emplace(*scene_, *sides_desc_);
-    }
-  }
+  if (scene_ != KnownScene(frame.scene)) make_draws(*frame.scene);
   std::vector<std::vector<Plane>> planes;
   std::transform(views.begin(), views.end(), std::back_inserter(planes),
                  [](const MapView& view) { return view.drawn ? view.casters : std::vector<Plane>{nothing}; });

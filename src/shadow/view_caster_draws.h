@@ -5,6 +5,7 @@
 
 #include "shadow/caster_draws.h"
 #include "shadow/caster_sides.h"
+#include "shadow/known_scene.h"
 #include "shadow/storage/subpixel/small_casters.h"
 
 namespace shadewright::shadow {
@@ -37,10 +38,12 @@ class ViewCasterDraws : public CasterDraws {
   virtual void draw_scene(const vk::raii::CommandBuffer& commands, uint32_t index, vk::DescriptorSet lookup_set) const;
 
   std::optional<render::CulledDraws> draws_;
-  const render::SceneGpu* scene_ = nullptr;  ///< whose draws these are
+  KnownScene scene_;  ///< whose draws these are
   gpu::GraphicsPass pass_;
 
  private:
+  void make_draws(const render::SceneGpu& scene);
+
   uint32_t max_views_, frames_in_flight_;
   std::optional<CasterPipelineDesc> sides_desc_;  ///< of the storage, if it asks for sides
   std::optional<CasterSides> sides_;

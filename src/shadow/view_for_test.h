@@ -9,9 +9,12 @@ namespace shadewright::shadow {
 class ViewForTest {
  public:
   ViewForTest(const gpu::Device& device, const Scene& scene, const Camera& camera, uint32_t width, uint32_t height)
-      : device_(device), scene_(device, scene), pass_(scene_, width, height, false) {
+      : ViewForTest(device, scene, render::make_view(camera, near_distance(scene, camera), width, height)) {}
+
+  ViewForTest(const gpu::Device& device, const Scene& scene, const render::CameraView& camera)
+      : device_(device), scene_(device, scene), pass_(scene_, camera.width, camera.height, false) {
     frame_.scene = &scene_;
-    frame_.camera = render::make_view(camera, near_distance(scene, camera), width, height);
+    frame_.camera = camera;
     gpu::Recorder recorder(device);
     pass_.record(recorder, frame_.camera);
     recorder.finish();

@@ -47,6 +47,8 @@ class SceneGpu {
   uint64_t update_count() const { return update_count_; }
 
   const gpu::Device& device() const { return device_; }
+  /// Another number for each scene that is made in this process: a new one may stand at an old one's address.
+  uint64_t generation() const { return generation_; }
   /// World bounds of all instances.
   const Box& bounds() const { return bounds_; }
   /// World bounds of each instance, by its index in Scene::instances.
@@ -86,6 +88,7 @@ class SceneGpu {
   void place_clusters(const Mover& mover);
 
   const gpu::Device& device_;
+  uint64_t generation_;
   Box bounds_, unmoving_bounds_;
   std::vector<Box> instance_bounds_, mesh_bounds_;
   std::vector<uint32_t> moving_instances_;
@@ -113,7 +116,7 @@ class CulledDraws {
   /// names.
   CulledDraws(const SceneGpu& scene, uint32_t max_views, uint32_t frames_in_flight, const std::string& name);
 
-  /// What each view must contain: at most 10 half-spaces a view, world space. `order` lists the clusters in drawing
+  /// What each view must contain: at most 12 half-spaces a view, world space. `order` lists the clusters in drawing
   /// order (empty = as stored). Only instances that `filter` lets through are drawn. Written for the frame `slot` <
   /// frames_in_flight; host writes only.
   void set_views(uint32_t slot, std::span<const std::vector<Plane>> views, std::span<const uint32_t> order = {},

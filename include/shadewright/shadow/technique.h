@@ -28,7 +28,7 @@ struct MapView {
   std::vector<Plane> casters;        ///< half-spaces that hold every caster that can matter in this view, world space
   uint32_t layer = 0;
   vk::Rect2D viewport;
-  bool drawn = true;  ///< false: nothing receives here, the layer is only cleared
+  bool drawn = true;  ///< false: nothing receives here, and the layer holds nothing
 };
 
 /// What a caller's own casters are drawn with. The rendering has begun, viewport and scissor are set. The caller's

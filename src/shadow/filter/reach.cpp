@@ -1,5 +1,9 @@
 #include "shadow/filter/reach.h"
 
+#include <algorithm>
+
+#include <cmath>
+
 namespace shadewright::shadow {
 
 FilterReach filter_reach(const Spec& spec) {
@@ -12,6 +16,16 @@ FilterReach filter_reach(const Spec& spec) {
   // Taps are read in pairs, whose second may lie a texel outside the box.
   if (spec.number("width") > 0) return {2, 0.5 * spec.number("width")};
   return {spec.number("radius") + 1.5, 0};
+}
+
+uint32_t least_cascade_resolution(const Spec& spec) {
+  // To each side a texel for rounding, and half of one where the window moves by whole texels; and one for receivers.
+  const double border = filter_reach(spec).texels + (spec.choice("stable") == "1" ? 1.5 : 1.0);
+  return static_cast<uint32_t>(std::ceil(2 * border)) + 1;
+}
+
+FilterReach within_map(const FilterReach& reach, uint32_t resolution) {
+  return {std::min(reach.texels, 0.25 * resolution - 1), reach.metres};
 }
 
 }  // namespace shadewright::shadow

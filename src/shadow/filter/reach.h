@@ -12,4 +12,11 @@ struct FilterReach {
 
 FilterReach filter_reach(const Spec& spec);
 
+/// As much of it as a map of `resolution` texels an axis may give away: half of its width. What a wider filter reads
+/// beyond is lost.
+FilterReach within_map(const FilterReach& reach, uint32_t resolution);
+
+/// The least resolution of a cascaded map that has room for receivers beside the filter's reach.
+uint32_t least_cascade_resolution(const Spec& spec);
+
 }  // namespace shadewright::shadow

@@ -21,7 +21,8 @@ std::unique_ptr<CasterDraws> Parameterization::make_caster_draws(LightKind light
 std::unique_ptr<Parameterization> make_parameterization(const gpu::Device& device, const Spec& spec,
                                                         const TechniqueOptions& options) {
   if (spec.parameterization == "uniform")
-    return std::make_unique<Uniform>(device, spec.resolution, spec.choice("fit"), filter_reach(spec));
+    return std::make_unique<Uniform>(device, spec.resolution, spec.choice("fit"),
+                                     within_map(filter_reach(spec), spec.resolution));
   if (spec.parameterization == "cascaded") return std::make_unique<Cascaded>(device, spec, options.frames_in_flight);
   if (spec.parameterization == "perspective") {
     const std::string warp = spec.choice("warp");
@@ -30,7 +31,7 @@ std::unique_ptr<Parameterization> make_parameterization(const gpu::Device& devic
       throw InputError(fmt::format("spec '{}'", spec.text), "only plain perspective shadow maps shift the eye",
                        "add warp=psm or leave shift out");
     const PerspectiveOptions perspective{kind, spec.choice("shift") == "least", spec.choice("fit") == "visible",
-                                         filter_reach(spec)};
+                                         within_map(filter_reach(spec), spec.resolution)};
     return std::make_unique<Perspective>(device, spec.resolution, perspective, options.width, options.height);
   }
   if (spec.parameterization == "paged") return std::make_unique<Paged>(device, spec, options);

@@ -56,8 +56,10 @@ TEST_F(CascadedTest, EveryReceiverHasACascade) {
   SCOPED_TRACE("seed " + std::to_string(seed));
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> unit(-1, 1);
-  for (const char* text : {"cascaded@64", "cascaded/depth/pcf@64,radius=7", "cascaded/depth/pcf@512,width=0.4",
-                           "cascaded@512,stable=1", "csm@256,stable=1,cascades=8", "csm@64,cascades=1"}) {
+  for (const char* text :
+       {"cascaded@64", "cascaded/depth/pcf@64,radius=7", "cascaded/depth/pcf@512,width=0.4", "csm@22,radius=8",
+        "csm@23,radius=8,stable=1", "cascaded/moments/pcf@37,blur=16", "csm@16,width=1000",
+        "csm@64,width=1000,stable=1", "cascaded@512,stable=1", "csm@256,stable=1,cascades=8", "csm@64,cascades=1"}) {
     SCOPED_TRACE(text);
     Cascaded cascaded(device(), parse_spec(text), 1);
     int tested = 0;

@@ -4,15 +4,16 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shadow/parameterization/cascaded/cascaded.glsl"
 #include "shadow/receivers.glsl"
+#include "shadow/receiver_strip.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 3, scalar) writeonly buffer Chosen { uint chosen[]; };
 
 void main() {
-  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 pixel = strip_pixel(ivec2(gl_GlobalInvocationID.xy));
   if (any(greaterThanEqual(pixel, ivec2(camera.size)))) return;
   Receiver r = receiver_at(pixel);
   CascadeWindow window;
   uint cascade = cascade_of(cascades.light_from_world * vec4(r.world, 1.0), window);
-  chosen[uint(pixel.y) * camera.size.x + uint(pixel.x)] = r.background ? max_cascades + 1 : cascade;
+  chosen[strip_index(pixel)] = r.background ? max_cascades + 1 : cascade;
 }

@@ -8,8 +8,8 @@ namespace shadewright::shadow {
 
 void CasterChanges::find(const Frame& frame) {
   const uint64_t updates = frame.scene ? frame.scene->update_count() : 0;
-  all_ = !known_ || scene_ != frame.scene || casters_ != frame.casters || !same_light(light_, frame.light) ||
-         updates > updates_ + 1;
+  all_ = !known_ || scene_ != KnownScene(frame.scene) || casters_ != frame.casters ||
+         !same_light(light_, frame.light) || updates > updates_ + 1;
   boxes_.clear();
   if (!all_ && updates > updates_)
     for (const render::MovedInstance& moved : frame.scene->moved()) {
@@ -17,7 +17,7 @@ void CasterChanges::find(const Frame& frame) {
       boxes_.push_back({glm::vec3(both.min), glm::vec3(both.max)});
     }
   known_ = true;
-  scene_ = frame.scene;
+  scene_ = KnownScene(frame.scene);
   casters_ = frame.casters;
   light_ = frame.light;
   updates_ = updates;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "shadewright/shadow/technique.h"
+#include "shadow/known_scene.h"
 #include "shadow/parameterization/paged/shared.h"
 
 namespace shadewright::shadow {
@@ -27,7 +28,7 @@ class CasterChanges {
 
  private:
   const gpu::Device& device_;
-  const render::SceneGpu* scene_ = nullptr;
+  KnownScene scene_;
   Light light_;
   render::InstanceFilter casters_ = render::InstanceFilter::all;
   uint64_t updates_ = 0;

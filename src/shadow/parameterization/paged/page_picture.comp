@@ -4,6 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shadow/parameterization/paged/paged.glsl"
 #include "shadow/receivers.glsl"
+#include "shadow/receiver_strip.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 3, scalar) writeonly buffer Picture { uint picture[]; };
@@ -16,7 +17,7 @@ vec3 level_color(uint level) {
 }
 
 void main() {
-  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 pixel = strip_pixel(ivec2(gl_GlobalInvocationID.xy));
   if (any(greaterThanEqual(pixel, ivec2(camera.size)))) return;
   Receiver r = receiver_at(pixel);
   vec3 color = r.background ? vec3(1.0) : vec3(0.3);
@@ -26,5 +27,5 @@ void main() {
     bool border = any(lessThan(inside, vec2(1.0)));
     color = p.valid ? level_color(point_level(p)) * (border ? 0.35 : 1.0) : vec3(1.0, 0.0, 1.0);
   }
-  picture[uint(pixel.y) * camera.size.x + uint(pixel.x)] = packUnorm4x8(vec4(color, 1.0));
+  picture[strip_index(pixel)] = packUnorm4x8(vec4(color, 1.0));
 }

@@ -1,5 +1,7 @@
 #include "shadow/parameterization/paged/paged.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -67,6 +69,11 @@ uint32_t sum(std::span<const uint32_t> counts) {
   return std::accumulate(counts.begin(), counts.end(), 0u);
 }
 
+/// At how many levels a pixel asks for a page.
+uint32_t levels_a_pixel(const Spec& spec) {
+  return spec.filter == "trilinear" ? 2 : 1;
+}
+
 /// What is sorted is unique unless told otherwise; the host of the paper's CPU variants gets all that pixels ask for.
 Uniquify uniquify(const Spec& spec) {
   const std::string name = spec.choice("uniquify");
@@ -99,6 +106,11 @@ Paged::Paged(const gpu::Device& device, const Spec& spec, const TechniqueOptions
     throw InputError(spec.text, "edges are found in depths alone", "leave refine=edges out");
   if (bins_superpages_ && spec.storage != "depth")
     throw InputError(spec.text, "superpages are copied as depths alone", "leave draw=superpages out");
+  if (listed_ && !RequestList::serves(options.width, options.height, levels_a_pixel(spec)))
+    throw InputError(spec.text,
+                     fmt::format("an image of {} x {} pixels asks for more pages than a list of {} MB holds",
+                                 options.width, options.height, gpu::max_binding_bytes >> 20),
+                     "leave requests, uniquify and analysis out, or give a smaller image");
   top_ = static_cast<uint32_t>(std::countr_zero(spec.resolution / shared::page_texels));
   analysis_scale_ = static_cast<uint32_t>(std::stoul(spec.choice("analysis_scale")));
   if (analysis_scale_ > 1 && (edges_ || listed_))
@@ -302,8 +314,8 @@ void Paged::find_requests(const Frame& frame, const ReceiverLookup& lookup, gpu:
 
 void Paged::find_list(const Frame& frame, const ReceiverLookup& lookup, gpu::Recorder& recorder) {
   if (!list_)
-    list_ = RequestList(device_, {frame.camera.width, frame.camera.height, spec_.filter == "trilinear" ? 2u : 1u,
-                                  words_ * 32 * faces_, uniquify_, on_host_, edges_, lookup.layout, lookup.light_kind});
+    list_ = RequestList(device_, {frame.camera.width, frame.camera.height, levels_a_pixel(spec_), words_ * 32 * faces_,
+                                  uniquify_, on_host_, edges_, lookup.layout, lookup.light_kind});
   const RequestMasks masks{requested_, requested_or_finer_, state_};
   list_.find(lookup, masks, recorder);
   recorder.stage("page requests",

@@ -89,14 +89,18 @@ void PagedCasterDraws::prepare(const Frame& frame, uint32_t, std::span<const Map
     throw InputError("paged", "a caller's own casters can't be cut into pages on the device",
                      "hand them over as a scene, or choose another parameterization");
   constants_.kinds = static_cast<uint32_t>(frame.casters);
-  if (!frame.scene || scene_ == frame.scene) return;
-  scene_ = frame.scene;
+  if (frame.scene && scene_ != KnownScene(frame.scene)) make_buffers(*frame.scene);
+}
+
+void PagedCasterDraws::make_buffers(const render::SceneGpu& scene) {
+  device_.handle().waitIdle();  // earlier frames may still draw the old scene
+  scene_ = {};
   const uint64_t faces = light_ == LightKind::point ? 6 : 1;
   const uint64_t clusters =
-      std::min(scene_->list_capacity() * faces, gpu::max_binding_bytes / sizeof(shared::PageCluster));
-  const uint64_t pairs = std::clamp(scene_->triangle_count() * pairs_per_triangle, pairs_at_least, pairs_at_most);
-  const uint64_t triangles = std::clamp(scene_->triangle_count() * faces, triangles_at_least, triangles_at_most);
-  constants_.cluster_count = scene_->cluster_count();
+      std::min(scene.list_capacity() * faces, gpu::max_binding_bytes / sizeof(shared::PageCluster));
+  const uint64_t pairs = std::clamp(scene.triangle_count() * pairs_per_triangle, pairs_at_least, pairs_at_most);
+  const uint64_t triangles = std::clamp(scene.triangle_count() * faces, triangles_at_least, triangles_at_most);
+  constants_.cluster_count = scene.cluster_count();
   constants_.cluster_capacity = static_cast<uint32_t>(clusters);
   constants_.triangle_capacity = static_cast<uint32_t>(triangles);
   // Half of the pairs may be inner ones; of the others most are small.
@@ -106,6 +110,7 @@ void PagedCasterDraws::prepare(const Frame& frame, uint32_t, std::span<const Map
   late_ = gpu::Buffer(device_, "late clusters", clusters * sizeof(shared::PageCluster));
   pairs_ = gpu::Buffer(device_, "triangle-page pairs", pairs * sizeof(glm::uvec3));
   corners_ = gpu::Buffer(device_, "triangles in the map", triangles * 3 * sizeof(glm::vec4));
+  scene_ = KnownScene(&scene);
 }
 
 void PagedCasterDraws::cull(const Frame& frame, uint32_t, const ReceiverLookup& lookup, gpu::Recorder& recorder) {
@@ -185,7 +190,7 @@ void PagedCasterDraws::draw(const vk::raii::CommandBuffer& commands, const Frame
 }
 
 std::vector<Allocation> PagedCasterDraws::allocations() const {
-  if (!scene_) return {};
+  if (!corners_) return {};
   return {touched_.allocation(), late_.allocation(), pairs_.allocation(), corners_.allocation()};
 }
 

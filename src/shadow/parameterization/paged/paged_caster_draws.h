@@ -3,6 +3,7 @@
 #pragma once
 
 #include "shadow/caster_draws.h"
+#include "shadow/known_scene.h"
 #include "shadow/parameterization/paged/shared.h"
 
 namespace shadewright::shadow {
@@ -26,6 +27,7 @@ class PagedCasterDraws final : public CasterDraws {
   std::vector<Allocation> allocations() const override;
 
  private:
+  void make_buffers(const render::SceneGpu& scene);
   void bin(const vk::raii::CommandBuffer& commands, const Frame& frame, uint32_t round,
            vk::DescriptorSet lookup_set) const;
 
@@ -33,7 +35,7 @@ class PagedCasterDraws final : public CasterDraws {
   const Paged& paged_;
   LightKind light_;
   std::vector<MapView> rounds_;
-  const render::SceneGpu* scene_ = nullptr;  ///< whom the buffers were made for
+  KnownScene scene_;  ///< whom the buffers were made for
   shared::BinConstants constants_{};
   bool sides_ = false;  ///< whether the storage asks for triangles' sides, and draws all kinds of pairs by one pipeline
   gpu::GraphicsPass passes_[shared::pair_kinds], clear_pass_;

@@ -30,12 +30,20 @@ vk::Extent3D groups_of(uint32_t count) {
   return {std::min(groups, row_of_groups), gpu::groups(groups, row_of_groups), 1};
 }
 
+/// Room in the list: of full words of the buffer, whose length the shaders ask for.
+uint64_t capacity(uint64_t width, uint64_t height, uint64_t levels) {
+  return (levels * width * height + width * height / 4 + 3) / 4 * 4;
+}
+
 }  // namespace
+
+bool RequestList::serves(uint32_t width, uint32_t height, uint32_t levels) {
+  return capacity(width, height, levels) * sizeof(uint32_t) <= gpu::max_binding_bytes;
+}
 
 RequestList::RequestList(const gpu::Device& device, const RequestListDesc& desc)
     : desc_(desc),
-      // Of full words of the buffer: the shaders ask for its length.
-      capacity_((desc.levels * desc.width * desc.height + desc.width * desc.height / 4 + 3) / 4 * 4),
+      capacity_(static_cast<uint32_t>(capacity(desc.width, desc.height, desc.levels))),
       requests_(device, "page request list", uint64_t{capacity_} * sizeof(uint32_t)) {
   using enum gpu::BindingKind;
   const std::span<const uint32_t> list = desc.edges ? std::span<const uint32_t>(shaders::page_edge_list_comp)

@@ -41,6 +41,8 @@ class RequestList {
  public:
   RequestList() = default;
   RequestList(const gpu::Device& device, const RequestListDesc& desc);
+  /// Whether the list for an image of this size is small enough to be bound.
+  static bool serves(uint32_t width, uint32_t height, uint32_t levels);
 
   /// Fills the list from the receivers, and marks what it has no room for. Submits and waits.
   void find(const ReceiverLookup& lookup, const RequestMasks& masks, gpu::Recorder& recorder);

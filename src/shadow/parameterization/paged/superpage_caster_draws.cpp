@@ -67,17 +67,18 @@ void SuperpageCasterDraws::prepare(const Frame& frame, uint32_t, std::span<const
 }
 
 void SuperpageCasterDraws::reserve(const render::SceneGpu& scene, size_t superpages) {
-  const bool known = scene_ == &scene;
+  const bool known = scene_ == KnownScene(&scene);
   if (!known) {
     const uint64_t bytes_of_view = std::max<uint64_t>(1, scene.list_capacity() * sizeof(shared::VisibleInstance));
     batch_size_ = static_cast<uint32_t>(std::clamp<uint64_t>(gpu::max_binding_bytes / bytes_of_view, 1, max_batch));
   }
   const uint32_t batches = gpu::groups(static_cast<uint32_t>(superpages), batch_size_);
   if (known && batches <= batches_) return;
-  scene_ = &scene;
+  scene_ = {};
   batches_ = std::max(std::bit_ceil(batches), least_batches);
   // The host has waited for the pages that it binned: no earlier frame draws any more.
   culled_.emplace(scene, batch_size_, frames_in_flight_ * batches_, "superpage");
+  scene_ = KnownScene(&scene);
 }
 
 void SuperpageCasterDraws::cull(const Frame& frame, uint32_t slot, const ReceiverLookup&, gpu::Recorder& recorder) {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "shadow/caster_draws.h"
+#include "shadow/known_scene.h"
 #include "shadow/parameterization/paged/superpages.h"
 
 namespace shadewright::shadow {
@@ -37,7 +38,7 @@ class SuperpageCasterDraws final : public CasterDraws {
   const Paged& paged_;
   uint32_t frames_in_flight_, slot_ = 0;
   std::vector<MapView> targets_;  ///< the pool, once for each superpage
-  const render::SceneGpu* scene_ = nullptr;
+  KnownScene scene_;
   uint32_t batch_size_ = 0, batches_ = 0;
   std::optional<render::CulledDraws> culled_;  ///< by batch: all at once would take much memory
   gpu::GraphicsPass casters_pass_, copy_pass_;

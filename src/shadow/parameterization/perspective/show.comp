@@ -5,6 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shadow/parameterization/perspective/perspective.glsl"
 #include "shadow/receivers.glsl"
+#include "shadow/receiver_strip.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 3, scalar) writeonly buffer Sizes { float sizes[]; };  // below 0: no texel is asked
@@ -12,9 +13,9 @@ layout(set = 0, binding = 3, scalar) writeonly buffer Sizes { float sizes[]; }; 
 const float background = -1.0, unasked = -2.0;
 
 void main() {
-  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 pixel = strip_pixel(ivec2(gl_GlobalInvocationID.xy));
   if (any(greaterThanEqual(pixel, ivec2(camera.size)))) return;
-  uint index = uint(pixel.y) * camera.size.x + uint(pixel.x);
+  uint index = strip_index(pixel);
   Receiver r = receiver_at(pixel);
   sizes[index] = r.background ? background : unasked;
   if (!r.facing) return;

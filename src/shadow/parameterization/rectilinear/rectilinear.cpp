@@ -116,7 +116,7 @@ void Rectilinear::fit(const Frame& frame) {
   const std::vector<glm::dvec3> points = receiver_points(frame, planes);
   const LightFrame light = turn_to_fit(window, points);
   const Box receivers = receiver_bounds(light, points);
-  const FilterReach reach = filter_reach(spec_);
+  const FilterReach reach = within_map(filter_reach(spec_), resolution_);
   view_ = fit_view(light, receivers, resolution_, reach);
   if (view_.drawn)
     view_.casters = caster_planes(

@@ -77,9 +77,9 @@ void WarpedCasterDraws::make_buffers(uint32_t spare) {
 }
 
 void WarpedCasterDraws::prepare(const Frame& frame, uint32_t slot, std::span<const MapView> views) {
-  const render::SceneGpu* before = scene_;
+  const KnownScene before = scene_;
   ViewCasterDraws::prepare(frame, slot, views);
-  if (!scene_) return;
+  if (!frame.scene) return;
   const uint32_t asked = figures_ ? figures_.mapped<shared::CutFigures>()[0].pieces : 0;
   if (scene_ == before && asked <= spare_) return;
   device_->handle().waitIdle();  // earlier frames may still draw from the old store

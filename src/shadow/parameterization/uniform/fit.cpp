@@ -182,7 +182,7 @@ LightFrame turn_to_fit(const LightFrame& light, std::span<const glm::dvec3> poin
 }
 
 double widening(double border_texels, uint32_t resolution) {
-  return resolution / std::max(resolution - 2 * border_texels, 0.5 * resolution);
+  return resolution / std::max(resolution - 2 * border_texels, 1.0);
 }
 
 double seen_reach(const LightFrame& light, double distance, double metres) {

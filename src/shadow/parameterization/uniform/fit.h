@@ -37,7 +37,7 @@ glm::dvec2 smallest_turn(std::span<const glm::dvec2> points);
 /// angles). Others stay as they are.
 LightFrame turn_to_fit(const LightFrame& light, std::span<const glm::dvec3> points);
 
-/// How much wider a map gets, all of it, for a border of so many texels: at most twice.
+/// How much wider a map gets, all of it, for a border of so many texels.
 double widening(double border_texels, uint32_t resolution);
 
 /// What look-ups read beyond receivers at `distance` along the axis, as the light sees it: metres, or of a perspective

@@ -1,6 +1,6 @@
 #include "shadow/storage/depth/depth.h"
 
-#include "shadow/storage/depth_picture.h"
+#include "shadow/storage/map_picture.h"
 
 namespace shadewright::shadow {
 
@@ -24,7 +24,7 @@ std::vector<gpu::Binding> DepthStorage::lookup_bindings() const {
 }
 
 Picture DepthStorage::debug_picture(std::string_view) {
-  return depth_picture(device_, map_);
+  return depth_picture(device_, map_, draws_);
 }
 
 std::vector<Allocation> DepthStorage::allocations() const {

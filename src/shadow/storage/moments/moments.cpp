@@ -1,11 +1,12 @@
 #include "shadow/storage/moments/moments.h"
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
 
 #include "shaders/blur_moments_frag.h"
 #include "shaders/blur_moments_vert.h"
+#include "shadewright/render/image.h"
+#include "shadow/storage/map_picture.h"
 
 namespace shadewright::shadow {
 
@@ -118,20 +119,17 @@ std::vector<gpu::Binding> MomentsStorage::lookup_bindings() const {
 }
 
 Picture MomentsStorage::debug_picture(std::string_view) {
-  const gpu::ImageDesc& desc = map_.desc();
-  std::vector<float> brightness;
-  for (uint32_t layer = 0; layer < desc.layers; ++layer) {
-    const auto bytes = gpu::read_back(device_, map_, 2 * sizeof(float), layer);
-    for (size_t at = 0; at < bytes.size(); at += 2 * sizeof(float)) {
-      std::memcpy(&brightness.emplace_back(), &bytes[at], sizeof(float));
-    }
+  constexpr float nothing = std::numeric_limits<float>::infinity();
+  std::vector<float> brightness = map_values(device_, map_, 2 * sizeof(float), draws_, nothing);
+  float low = nothing, high = -nothing;
+  for (const float distance : brightness) {
+    if (distance == nothing) continue;
+    low = std::min(low, distance);
+    high = std::max(high, distance);
   }
-  gpu::submit_and_wait(
-      device_, [&](const auto& commands) { map_.transition(commands, vk::ImageLayout::eShaderReadOnlyOptimal); });
-  const auto [nearest, farthest] = std::minmax_element(brightness.begin(), brightness.end());
-  const float low = *nearest, range = std::max(*farthest - low, std::numeric_limits<float>::min());
-  for (float& distance : brightness) distance = 1.0f - (distance - low) / range;
-  return render::to_picture(brightness, desc.width, desc.height * desc.layers);
+  const float range = std::max(high - low, std::numeric_limits<float>::min());
+  for (float& distance : brightness) distance = distance == nothing ? 0.0f : 1.0f - (distance - low) / range;
+  return render::to_picture(brightness, map_.desc().width, map_.desc().height * map_.desc().layers);
 }
 
 std::vector<Allocation> MomentsStorage::allocations() const {

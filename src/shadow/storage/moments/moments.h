@@ -20,7 +20,7 @@ class MomentsStorage final : public Storage {
   void record(const Frame& frame, vk::DescriptorSet lookup_set, gpu::Recorder& recorder) override;
   std::vector<gpu::Binding> lookup_bindings() const override;
   std::vector<Allocation> allocations() const override;
-  /// The mean distances, near bright, layers one below the other.
+  /// The mean distances, near bright, layers one below the other; black where a layer holds nothing.
   Picture debug_picture(std::string_view name) override;
 
  private:

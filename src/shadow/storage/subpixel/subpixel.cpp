@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "shadow/storage/depth_picture.h"
+#include "shadow/storage/map_picture.h"
 #include "shadow/storage/subpixel/slope_table.h"
 #include "shadow/storage/subpixel/tangents.h"
 
@@ -72,7 +72,7 @@ void SubpixelStorage::write_lookup(shared::LookupData& lookup) const {
 }
 
 Picture SubpixelStorage::debug_picture(std::string_view) {
-  return depth_picture(device_, minimum_);
+  return depth_picture(device_, minimum_, draws_);
 }
 
 std::vector<Allocation> SubpixelStorage::allocations() const {

@@ -1,6 +1,6 @@
 #include "shadow/storage/triangle/triangle.h"
 
-#include "shadow/storage/depth_picture.h"
+#include "shadow/storage/map_picture.h"
 
 namespace shadewright::shadow {
 
@@ -34,7 +34,7 @@ std::vector<gpu::Binding> TriangleStorage::lookup_bindings() const {
 }
 
 Picture TriangleStorage::debug_picture(std::string_view) {
-  return depth_picture(device_, depth_);
+  return depth_picture(device_, depth_, draws_);
 }
 
 std::vector<Allocation> TriangleStorage::allocations() const {
