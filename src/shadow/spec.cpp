@@ -342,7 +342,7 @@ const SpecAlias* find_alias(std::string_view text) {
   return found == aliases.end() ? nullptr : found;
 }
 
-/// Other parameterizations find the texels beyond a map's edge elsewhere, or lose a filter's edge only.
+/// Where a filter is wider than other maps, what it reads beyond their edge is lost.
 void check_reach(const Spec& spec) {
   if (spec.parameterization != "cascaded") return;
   if (const uint32_t least = least_cascade_resolution(spec); spec.resolution < least)

@@ -209,7 +209,7 @@ void Paged::fit(const Frame& frame, double margin) {
       box.max += light.perspective ? glm::dvec3(wider.x, wider.y, -margin * box.max.z) : wider;
     }
     MapView view = fit_view(turned, box, spec_.resolution, {border_texels(spec_), 0});
-    view.casters = caster_planes(view, frame.camera, frame.light, false, 0);
+    view.casters = caster_planes(view, frame.camera, frame.light, false, {});
     views_.push_back(std::move(view));
     light_frames_.push_back(turned);
     held_.push_back(box);

@@ -97,7 +97,7 @@ void SuperpageCasterDraws::cull(const Frame& frame, uint32_t slot, const Receive
            superpages.subspan(first, std::min<size_t>(batch_size_, superpages.size() - first))) {
         const MapView view =
             superpage_view(paged_.views()[superpage.face], superpage, paged_.level_texels(superpage.level));
-        planes.push_back(caster_planes(view, frame.camera, frame.light, false, 0));
+        planes.push_back(caster_planes(view, frame.camera, frame.light, false, {}));
       }
       culled_->set_views(cull_slot(batch), planes, {}, frame.casters);
     }

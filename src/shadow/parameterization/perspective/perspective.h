@@ -28,6 +28,7 @@ struct PerspectiveOptions {
   bool least_shift = false;  ///< shift=least
   bool from_buffers = true;  ///< fit=visible; false: fit=view, which waits for nothing
   FilterReach reach{};       ///< what look-ups read around a receiver, across faces of a point light too
+  bool soft = false;         ///< what they read there darkens it
 };
 
 class Perspective final : public Parameterization {

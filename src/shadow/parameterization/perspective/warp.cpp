@@ -60,26 +60,36 @@ std::vector<glm::dvec3> widened(const std::vector<glm::dvec3>& points, const Lig
   return result;
 }
 
-/// The largest texel of a map at `points`, across the light's axis, metres; 0 for no points.
-double largest_texel(const glm::dmat4& light_from_world, const LightFrame& light, std::span<const glm::dvec3> points,
-                     uint32_t resolution) {
-  const glm::dvec3 right(glm::row(light.view_from_world, 0)), up(glm::row(light.view_from_world, 1));
+/// A texel's size at a point in front of the map, across the light's axis: the sum of its sides, metres.
+double texel_at(const glm::dmat4& rows, const LightFrame& light, const glm::dvec3& point, uint32_t resolution) {
+  const double w = along(rows[3], point);
+  const glm::dvec2 image = glm::dvec2(along(rows[0], point), along(rows[1], point)) / w;
+  const auto move = [&](int axis) {
+    const glm::dvec3 step(glm::row(light.view_from_world, axis));
+    return (glm::dvec2(glm::dot(glm::dvec3(rows[0]), step), glm::dot(glm::dvec3(rows[1]), step)) -
+            image * glm::dot(glm::dvec3(rows[3]), step)) /
+           w;
+  };
+  const glm::dmat2 metres_from_image = glm::inverse(glm::dmat2(move(0), move(1)));
+  const double size = 2.0 / resolution * (glm::length(metres_from_image[0]) + glm::length(metres_from_image[1]));
+  return std::isfinite(size) && w > 0 ? size : 0;
+}
+
+/// What look-ups read around receivers within `corners`. Texels grow with the view depth in a map that follows the
+/// camera, and do not in a uniform one: whichever bound is tighter.
+WorldReach world_reach(const glm::dmat4& light_from_world, const LightFrame& light, const CameraMap& camera,
+                       std::span<const glm::dvec3> corners, const FilterReach& reach, uint32_t resolution) {
   const glm::dmat4 rows = glm::transpose(light_from_world);
-  double largest = 0;
-  for (const glm::dvec3& point : points) {
-    const double w = along(rows[3], point);
-    if (!(w > 0)) continue;
-    const glm::dvec2 image = glm::dvec2(along(rows[0], point), along(rows[1], point)) / w;
-    const auto move = [&](const glm::dvec3& step) {
-      return (glm::dvec2(glm::dot(glm::dvec3(rows[0]), step), glm::dot(glm::dvec3(rows[1]), step)) -
-              image * glm::dot(glm::dvec3(rows[3]), step)) /
-             w;
-    };
-    const glm::dmat2 metres_from_image = glm::inverse(glm::dmat2(move(right), move(up)));
-    const double size = 2.0 / resolution * (glm::length(metres_from_image[0]) + glm::length(metres_from_image[1]));
-    if (std::isfinite(size)) largest = std::max(largest, size);
+  double largest = 0, largest_per_depth = 0, farthest = 0;
+  for (const glm::dvec3& corner : corners) {
+    const double size = texel_at(rows, light, corner, resolution), depth = along(camera.w, corner);
+    largest = std::max(largest, size);
+    largest_per_depth = std::max(largest_per_depth, size / depth);
+    farthest = std::max(farthest, depth);
   }
-  return largest;
+  const double texels = reach.texels + rounding_border_texels;
+  if (largest_per_depth * farthest < 2 * largest) return {reach.metres, texels * largest_per_depth};
+  return {reach.metres + texels * largest, 0};
 }
 
 struct Rectangle {
@@ -268,9 +278,11 @@ std::vector<Box> reaching_casters(const LightFrame& frame, const Receivers& rece
   std::vector<Box> casters(options.casters.begin(), options.casters.end());
   double reach = options.reach.metres;
   if (options.reach.texels > 0 && options.plain) {
-    std::vector<glm::dvec3> points;
-    for (const ReceiverBox& box : receivers.boxes) points.push_back(glm::dvec3(box.low));
-    reach += options.reach.texels * widest_texel * largest_texel(*options.plain, frame, points, options.resolution);
+    const glm::dmat4 rows = glm::transpose(*options.plain);
+    double largest = 0;
+    for (const ReceiverBox& box : receivers.boxes)
+      largest = std::max(largest, texel_at(rows, frame, glm::dvec3(box.low), options.resolution));
+    reach += options.reach.texels * widest_texel * largest;
   }
   for (Box& caster : casters) caster = {caster.min - reach, caster.max + reach};
   return casters;
@@ -302,9 +314,8 @@ Warp choose_warp(const Light& light, const LightFrame& frame, const CameraMap& c
   const std::vector<Plane> reach = reach_planes(light, frame);
   Receivers reached = frame.perspective ? inside(receivers, reach) : receivers;
   if (!options.casters.empty()) {
-    const bool wide = options.reach.texels > 0 || options.reach.metres > 0;
-    const std::vector<Box> reaching = wide ? reaching_casters(frame, reached, options) : std::vector<Box>{};
-    keep_shadowable(reached, light, frame, wide ? reaching : options.casters);
+    const std::vector<Box> reaching = options.soft ? reaching_casters(frame, reached, options) : std::vector<Box>{};
+    keep_shadowable(reached, light, frame, options.soft ? reaching : options.casters);
   }
   bound(reached, reach);
   if (reached.hull.empty()) return warp;
@@ -365,9 +376,8 @@ Warp choose_warp(const Light& light, const LightFrame& frame, const CameraMap& c
     warp.light_from_world = *options.plain;
     warp.drawn = warp.fallback = true;
   }
-  warp.reach = options.reach.metres + (options.reach.texels + rounding_border_texels) *
-                                          largest_texel(warp.light_from_world, frame,
-                                                        before_light(reached.corners, frame), options.resolution);
+  warp.reach = world_reach(warp.light_from_world, frame, camera, before_light(reached.corners, frame), options.reach,
+                           options.resolution);
   return warp;
 }
 

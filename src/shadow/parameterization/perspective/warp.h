@@ -52,6 +52,7 @@ struct WarpOptions {
   const glm::dmat4* plain = nullptr;  ///< what uniform,fit=view draws; null: it draws nothing, or is not known
   std::span<const Box> casters;       ///< world bounds that hold all casters; none: not known
   FilterReach reach{};                ///< what look-ups read around a receiver
+  bool soft = false;                  ///< what they read there darkens it
 };
 
 /// The matrix of one view.
@@ -61,7 +62,7 @@ struct Warp {
   bool fallback = false;  ///< uniform, since no perspective has smaller texels
   double shift = 0;       ///< of PSM's eye, metres
   double gain = 1;        ///< mean size of a uniform map's texel over this one's
-  double reach = 0;       ///< how far from a receiver look-ups read at most, metres
+  WorldReach reach{};     ///< of look-ups around a receiver
 };
 
 /// The matrix of the view of `light` along `frame` (the light's only one, or a face's).

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/gtc/matrix_access.hpp>
 #include <limits>
 #include <numbers>
 
@@ -194,11 +195,11 @@ glm::dvec2 window_half(const LightFrame& light, const Box& receivers, uint32_t r
          widening(reach.texels + rounding_border_texels, resolution);
 }
 
-double reach_on_receivers(const LightFrame& light, const Box& receivers, uint32_t resolution,
-                          const FilterReach& reach) {
+WorldReach reach_on_receivers(const LightFrame& light, const Box& receivers, uint32_t resolution,
+                              const FilterReach& reach) {
   const glm::dvec2 half = window_half(light, receivers, resolution, reach);
   const double texel = 2 * std::max(half.x, half.y) / resolution * (light.perspective ? -receivers.min.z : 1);
-  return reach.metres + (reach.texels + rounding_border_texels) * texel;
+  return {reach.metres + (reach.texels + rounding_border_texels) * texel, 0};
 }
 
 MapView fit_view(const LightFrame& light, const Box& receivers, uint32_t resolution, const FilterReach& reach) {
@@ -234,15 +235,20 @@ MapView view_of_window(const LightFrame& light, const Box& window, uint32_t reso
 }
 
 std::vector<Plane> caster_planes(const MapView& view, const render::CameraView& camera, const Light& light,
-                                 bool receivers_in_camera, double reach) {
+                                 bool receivers_in_camera, const WorldReach& reach) {
   std::vector<Plane> planes = frustum_planes(view.light_from_world);
   planes.erase(planes.begin() + 4);  // z >= 0: casters nearer to the light count
-  if (receivers_in_camera)
-    for (const Plane& plane : camera.planes()) {
-      const double towards = light.kind == LightKind::directional ? -glm::dot(plane.normal, light.direction)
-                                                                  : plane.distance(light.position);
-      if (towards >= 0) planes.push_back({plane.normal, plane.offset + reach});
-    }
+  if (!receivers_in_camera) return planes;
+  const glm::dvec4 w = glm::row(camera.clip_from_world, 3);
+  const double per_depth = reach.per_depth / glm::length(glm::dvec3(w));
+  for (const Plane& of_camera : camera.planes()) {
+    const glm::dvec3 normal = of_camera.normal + per_depth * glm::dvec3(w);
+    const double length = glm::length(normal);
+    const Plane plane{normal / length, (of_camera.offset + per_depth * w.w + reach.metres) / length};
+    const double towards = light.kind == LightKind::directional ? -glm::dot(plane.normal, light.direction)
+                                                                : plane.distance(light.position);
+    if (towards >= 0) planes.push_back(plane);
+  }
   return planes;
 }
 

@@ -47,8 +47,14 @@ double seen_reach(const LightFrame& light, double distance, double metres);
 /// Half the size of a window that holds `receivers` (as `receiver_bounds` gives them) and what look-ups read around.
 glm::dvec2 window_half(const LightFrame& light, const Box& receivers, uint32_t resolution, const FilterReach& reach);
 
-/// How far from a receiver look-ups read at most in a map so fitted, metres.
-double reach_on_receivers(const LightFrame& light, const Box& receivers, uint32_t resolution, const FilterReach& reach);
+/// How far from a receiver look-ups read at most: metres, and metres a metre of its view depth.
+struct WorldReach {
+  double metres = 0, per_depth = 0;
+};
+
+/// How far from a receiver look-ups read at most in a map so fitted.
+WorldReach reach_on_receivers(const LightFrame& light, const Box& receivers, uint32_t resolution,
+                              const FilterReach& reach);
 
 /// The view whose map is `window`: bounds as `receiver_bounds` gives them.
 MapView view_of_window(const LightFrame& light, const Box& window, uint32_t resolution);
@@ -57,8 +63,8 @@ MapView view_of_window(const LightFrame& light, const Box& window, uint32_t reso
 MapView fit_view(const LightFrame& light, const Box& receivers, uint32_t resolution, const FilterReach& reach);
 
 /// The half-spaces that hold every caster for `view`: those of its matrix but the near one, and those of the camera,
-/// `reach` metres outwards, that a way from a receiver to the light never leaves.
+/// `reach` outwards, that a way from there to the light never leaves.
 std::vector<Plane> caster_planes(const MapView& view, const render::CameraView& camera, const Light& light,
-                                 bool receivers_in_camera, double reach);
+                                 bool receivers_in_camera, const WorldReach& reach);
 
 }  // namespace shadewright::shadow

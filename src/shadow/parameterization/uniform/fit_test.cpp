@@ -56,7 +56,7 @@ TEST_P(FitTest, HoldsEveryReceiver) {
         }
         // Casters on the way to the light are never culled.
         const glm::dvec3 to_light = light.perspective ? frame.light.position - receiver : -3.0 * frame.light.direction;
-        for (const Plane& plane : caster_planes(view, frame.camera, frame.light, true, 0))
+        for (const Plane& plane : caster_planes(view, frame.camera, frame.light, true, {}))
           for (const double t : {0.0, 0.3, 0.999}) ASSERT_GE(plane.distance(receiver + t * to_light), -1e-6);
       }
     }
