@@ -24,6 +24,10 @@ uint32_t least_cascade_resolution(const Spec& spec) {
   return static_cast<uint32_t>(std::ceil(2 * border)) + 1;
 }
 
+FilterReach of_face(const FilterReach& reach) {
+  return {std::max(reach.texels, 20.0), reach.metres};
+}
+
 FilterReach within_map(const FilterReach& reach, uint32_t resolution) {
   return {std::min(reach.texels, 0.25 * resolution - 1), reach.metres};
 }

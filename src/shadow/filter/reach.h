@@ -12,6 +12,10 @@ struct FilterReach {
 
 FilterReach filter_reach(const Spec& spec);
 
+/// The same for one face of six: they overlap by at least 20 texels, since what is clipped at the very edge of a map is
+/// less exact than elsewhere.
+FilterReach of_face(const FilterReach& reach);
+
 /// As much of it as a map of `resolution` texels an axis may give away: half of its width. What a wider filter reads
 /// beyond is lost.
 FilterReach within_map(const FilterReach& reach, uint32_t resolution);

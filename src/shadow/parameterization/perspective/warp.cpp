@@ -319,7 +319,9 @@ Warp choose_warp(const Light& light, const LightFrame& frame, const CameraMap& c
   }
   bound(reached, reach);
   if (reached.hull.empty()) return warp;
-  FitOptions fit{options.resolution, options.reach, true, false};
+  const bool face = light.kind == LightKind::point;
+  FitOptions fit{options.resolution, face ? within_map(of_face(options.reach), options.resolution) : options.reach,
+                 true, false};
   const LightPlane plane(frame, light, before_light(reached.corners, frame), reached.samples);
   const auto texel = [&](const std::optional<glm::dmat4>& matrix) {
     return matrix ? plane.mean_texel(*matrix) : infinity;

@@ -27,12 +27,13 @@ void Uniform::prepare(const Frame& frame, gpu::Recorder& recorder) {
     const std::vector<Box> visible = visible_->measure(frame, recorder, lights);
     std::transform(receivers.begin(), receivers.end(), visible.begin(), receivers.begin(), intersect);
   }
+  const FilterReach reach = lights.size() > 1 ? within_map(of_face(reach_), resolution_) : reach_;
   for (uint32_t layer = 0; layer < lights.size(); ++layer) {
-    MapView view = fit_view(lights[layer], receivers[layer], resolution_, reach_);
+    MapView view = fit_view(lights[layer], receivers[layer], resolution_, reach);
     view.layer = layer;
     if (view.drawn)
       view.casters = caster_planes(view, frame.camera, frame.light, fit_ != "scene",
-                                   reach_on_receivers(lights[layer], receivers[layer], resolution_, reach_));
+                                   reach_on_receivers(lights[layer], receivers[layer], resolution_, reach));
     views_.push_back(std::move(view));
   }
 }
