@@ -7,7 +7,7 @@ namespace {
 
 class FlatReceiversTest : public gpu::DeviceTest {};
 
-/// The box's lower side too if it is flat.
+/// Of a flat box the upper side alone.
 void add_box(Scene& scene, const Box& box) {
   const auto corners = box.corners();  // bit 0 of a corner's number is x, bit 1 y, bit 2 z
   Mesh mesh;

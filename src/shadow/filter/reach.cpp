@@ -1,7 +1,6 @@
 #include "shadow/filter/reach.h"
 
 #include <algorithm>
-
 #include <cmath>
 
 namespace shadewright::shadow {

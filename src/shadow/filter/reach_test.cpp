@@ -28,6 +28,12 @@ class FilterReachTest : public gpu::DeviceTest {
     add(half, at_height);
     return scene;
   }
+  static Camera looking(const glm::dvec3& eye, const glm::dvec3& target) {
+    Camera camera;
+    camera.eye = eye;
+    camera.target = target;
+    return camera;
+  }
   std::vector<std::byte> mask(ViewForTest& view, const char* spec, const Light& light) {
     view.frame().light = light;
     return view.look_up(*make_technique(device(), parse_spec(spec), {width, height}));
@@ -44,10 +50,7 @@ class FilterReachTest : public gpu::DeviceTest {
 /// What only a penumbra reaches counts as shadowed, and taps stay on the map.
 TEST_F(FilterReachTest, PerspectiveMapsHoldPenumbrae) {
   const Scene scene = plate_over_ground({2, 2}, 6);
-  Camera camera;
-  camera.eye = {0, 14, 18};
-  camera.target = {0, 0, 0};
-  ViewForTest view(device(), scene, camera, width, height);
+  ViewForTest view(device(), scene, looking({0, 14, 18}, {0, 0, 0}), width, height);
   const auto uniform = mask(view, "uniform/depth/pcf@512,width=4", sun(0, 90));
   const auto soft = std::ranges::count_if(uniform, [](std::byte v) { return v > std::byte{20} && v < std::byte{235}; });
   EXPECT_GT(soft, 300);
@@ -59,10 +62,7 @@ TEST_F(FilterReachTest, PerspectiveMapsHoldPenumbrae) {
 /// Taps around a receiver at the edge of a point light's face find what lies beyond the edge: as one wide spot does.
 TEST_F(FilterReachTest, FacesOverlapByTheFilter) {
   const Scene scene = plate_over_ground({20, 0.5f}, 2);
-  Camera camera;
-  camera.eye = {4.3, 9, 9};
-  camera.target = {4.3, 0, 0};
-  ViewForTest view(device(), scene, camera, width, height);
+  ViewForTest view(device(), scene, looking({4.3, 9, 9}, {4.3, 0, 0}), width, height);
   Light lamp, spot;
   lamp.kind = LightKind::point;
   spot.kind = LightKind::spot;

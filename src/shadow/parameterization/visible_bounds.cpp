@@ -11,9 +11,6 @@ namespace shadewright::shadow {
 
 namespace {
 
-/// What float positions are off by, as a share of their coordinates and distance, with room.
-constexpr double position_slack = 4e-6;
-
 double unordered(uint32_t ordered) {
   return static_cast<double>(std::bit_cast<float>((ordered & 0x80000000u) ? ordered & 0x7fffffffu : ~ordered));
 }

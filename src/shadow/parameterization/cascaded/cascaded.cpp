@@ -98,17 +98,20 @@ void Cascaded::prepare(const Frame& frame, gpu::Recorder& recorder) {
   borders_.assign(cascades_, glm::vec2(0));
   std::optional<glm::dvec4> depth_row;
   for (uint32_t i = 0; i < cascades_; ++i) {
-    MapView view = make_view(lights[i], receivers[i], all, borders_[i]);
+    if (!receivers[i].empty()) {
+      // One depth range for all cascades: a receiver may take any of them.
+      receivers[i].min.z = all.min.z;
+      receivers[i].max.z = all.max.z;
+    }
+    MapView view = make_view(lights[i], receivers[i], borders_[i]);
     view.layer = i;
     if (view.drawn) {
       // Receivers that are all equally deep are given a range by their window's size: the look-up needs the same for
       // all.
       if (!depth_row) depth_row = glm::row(view.light_from_world, 2);
       view.light_from_world = glm::row(view.light_from_world, 2, *depth_row);
-      const Box held{{receivers[i].min.x, receivers[i].min.y, all.min.z},
-                     {receivers[i].max.x, receivers[i].max.y, all.max.z}};
       view.casters = caster_planes(view, frame.camera, frame.light, true,
-                                   reach_on_receivers(lights[i], held, resolution_, reach_));
+                                   reach_on_receivers(lights[i], receivers[i], resolution_, reach_));
     }
     views_.push_back(std::move(view));
   }
@@ -141,14 +144,11 @@ void Cascaded::hold_steady(SteadyWindow& steady, const LightFrame& light, std::s
   receivers = window(glm::dvec2(receivers.center()), steady.half);
 }
 
-MapView Cascaded::make_view(const LightFrame& light, Box receivers, const Box& all, glm::vec2& border) const {
+MapView Cascaded::make_view(const LightFrame& light, Box receivers, glm::vec2& border) const {
   border = glm::vec2(0);
   if (receivers.empty()) return view_of_window(light, receivers, resolution_);
-  // One depth range for all cascades: a receiver may take any of them.
-  receivers.min.z = all.min.z;
-  receivers.max.z = all.max.z;
   const double resolution = resolution_;
-  const double reach = seen_reach(light, -all.max.z, reach_.metres);
+  const double reach = seen_reach(light, -receivers.max.z, reach_.metres);
   // Snapping moves a stable window by half a texel.
   const glm::dvec2 half =
       window_half(light, receivers, resolution_, {reach_.texels + (stable_ ? 0.5 : 0.0), reach_.metres});

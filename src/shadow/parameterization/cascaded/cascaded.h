@@ -55,8 +55,8 @@ class Cascaded final : public Parameterization {
   /// (stable). `light` is not turned.
   static void hold_steady(SteadyWindow& steady, const LightFrame& light, std::span<const glm::dvec3> points,
                           LightFrame& turned, Box& receivers);
-  /// The view that holds `receivers` and what filters read around them; `all` are the receivers of every slice.
-  MapView make_view(const LightFrame& light, Box receivers, const Box& all, glm::vec2& border) const;
+  /// The view that holds `receivers`, whose depths are those of every slice, and what filters read around them.
+  MapView make_view(const LightFrame& light, Box receivers, glm::vec2& border) const;
   void write_constants(const LightFrame& light, shared::CascadeData& constants) const;
 
   const gpu::Device& device_;

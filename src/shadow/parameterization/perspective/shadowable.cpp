@@ -11,8 +11,6 @@ namespace shadewright::shadow {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// What float surface points are off by, as a share of their coordinates and distance, with room.
-constexpr double position_slack = 4e-6;
 /// The light's window is divided into so many cells an axis: half as many where there are many casters, each of which
 /// takes time in each cell.
 constexpr int most_cells = 64;

@@ -27,10 +27,6 @@ constexpr double depth_margin = 0.01;
 /// clamped there, or the casters nearer to the light are lost to it. A share of w, it is as far everywhere as the scale
 /// there asks.
 constexpr double depth_before = 0.5;
-/// Receivers' images are exact up to float rounding of the map coordinates.
-constexpr double rounding_border_texels = 1;
-/// A warped texel on what the camera sees is seldom so many times as wide as a uniform map's.
-constexpr double widest_texel = 4;
 
 double along(const glm::dvec4& row, const glm::dvec3& point) {
   return glm::dot(row, glm::dvec4(point, 1.0));

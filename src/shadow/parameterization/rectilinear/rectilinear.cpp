@@ -22,8 +22,6 @@ namespace shadewright::shadow {
 
 namespace {
 
-/// A warped texel on what the camera sees is seldom so many times as wide as an unwarped one.
-constexpr double widest_texel = 4;
 /// One pixel of a tile of that size adds to the sums (see importance.comp).
 constexpr uint32_t tile_pixels = 4;
 /// Where nothing is near a shadow's edge (the paper's alpha).

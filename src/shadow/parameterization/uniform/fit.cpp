@@ -16,8 +16,6 @@ namespace {
 /// The nearest a perspective light looks, as a share of the farthest receiver's distance: float depth serves this range
 /// well.
 constexpr double near_share = 1e-4;
-/// Receivers' bounds are exact up to float rounding of the map coordinates.
-constexpr double rounding_border_texels = 1;
 /// The least range of depths, as a share of the window's width, and of coordinates: receivers in one plane have none,
 /// and what floats are off by must be small in it.
 constexpr double least_range_of_width = 1e-2, least_range_of_coordinates = 1e-4;

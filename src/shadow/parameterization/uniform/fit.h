@@ -10,6 +10,13 @@
 
 namespace shadewright::shadow {
 
+/// Receivers' bounds are exact up to float rounding of the map coordinates.
+inline constexpr double rounding_border_texels = 1;
+/// A warped texel on what the camera sees is seldom so many times as wide as a uniform map's.
+inline constexpr double widest_texel = 4;
+/// What float surface points are off by, as a share of their coordinates and distance, with room.
+inline constexpr double position_slack = 4e-6;
+
 /// Axes to measure receivers in: light-space view coordinates, looking along -Z, world space to view space.
 struct LightFrame {
   glm::dmat4 view_from_world{1.0};
