@@ -58,7 +58,9 @@ refuses 2 'downwards' compare builtin:spheres -t sm@1024..512 -o out "${small[@]
 refuses 2 'leave tessellation out' render builtin:spheres -t rectilinear/moments/hard,tessellation=off -o x.png "${small[@]}"
 refuses 2 'analysis_scale=1' render builtin:spheres -t rmsm,analysis_scale=2,uniquify=none -o x.png "${small[@]}"
 refuses 2 'one of auto, none' render builtin:spheres -t rmsm,uniquify=some -o x.png "${small[@]}"
-refuses 2 'not built yet' view
+refuses 2 'SCENE' view
+refuses 2 'at most two' view builtin:spheres -t sm -t psm -t ray
+refuses 2 'no technique' view builtin:spheres -t smm
 refuses 2 'shadewright render --help' render
 refuses 2 "'nonsense' is not a verb; see shadewright --help" nonsense
 refuses 2 'no verb is given; see shadewright --help'

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <cstdio>
 #include <iostream>
 
@@ -12,9 +11,6 @@
 #include "verbs.h"
 
 namespace {
-
-/// The verbs of the contract that are not there yet are refused by name, instead of being unknown words.
-constexpr std::string_view later_verbs[] = {"view"};
 
 int fail(const std::string& sentence, int code) {
   fmt::print(stderr, "shadewright: {}\n", sentence);
@@ -26,8 +22,6 @@ std::string wrong_verb(const CLI::App& app, std::string_view word) {
   if (word.empty()) return "no verb is given; see shadewright --help";
   const auto named = [&](const CLI::App* verb) { return verb->get_name() == word; };
   if (app.get_option_no_throw(std::string(word)) || !app.get_subcommands(named).empty()) return "";
-  if (std::ranges::find(later_verbs, word) != std::end(later_verbs))
-    return fmt::format("'{}' is not built yet; see shadewright --help for what is", word);
   return fmt::format("'{}' is not a verb; see shadewright --help", word);
 }
 
@@ -56,6 +50,7 @@ int main(int argc, char** argv) {
   shadewright::app::add_info(app);
   shadewright::app::add_query(app);
   shadewright::app::add_devices(app);
+  shadewright::app::add_view(app);
   const std::string_view verb = argc > 1 ? argv[1] : "";
   if (const std::string problem = wrong_verb(app, verb); !problem.empty()) return fail(problem, 2);
   try {

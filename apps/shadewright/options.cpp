@@ -194,7 +194,7 @@ void LightFlags::add_to(CLI::App& verb) {
   verb.add_option("--sun", sun, "Direction towards the sun, AZIMUTH,ELEVATION in degrees (azimuth 0 = +X, 90 = +Z)");
 }
 
-void SceneFlags::add_to(CLI::App& verb) {
+void SceneFlags::add_view_to(CLI::App& verb) {
   verb.add_option("SCENE", scene, "A file (glTF, GLB, OBJ, ...) or builtin:NAME[?key=value&...]")->required();
   verb.add_option("--camera", camera, "A camera of the scene, by name");
   verb.add_option("--eye", eye, "Camera position X,Y,Z, in the file's coordinates");
@@ -202,6 +202,14 @@ void SceneFlags::add_to(CLI::App& verb) {
   verb.add_option("--fov", fov, "Full vertical field of view, degrees, 1 to 160");
   light.add_to(verb);
   verb.add_option("--size", size, "Image size WxH in pixels")->capture_default_str();
+  verb.add_option("--device", device, "Device by index or part of its name (see shadewright devices)");
+  verb.add_flag("--quiet", quiet, "No progress, no remarks");
+  verb.add_flag("--verbose", verbose, "Say more");
+  verb.add_flag("--validation", validation, "Run with the Khronos validation layer; any message is an error");
+}
+
+void SceneFlags::add_to(CLI::App& verb) {
+  add_view_to(verb);
   verb.add_option("--repeat", repeat, "Timed repeats after warm-up")
       ->capture_default_str()
       ->check(CLI::Range(0, 10000));
@@ -222,10 +230,6 @@ void SceneFlags::add_to(CLI::App& verb) {
       ->capture_default_str();
   verb.add_option("--debug", debug, "Also write a debug image of the technique, by name; repeatable; 'list' names them")
       ->allow_extra_args(false);
-  verb.add_option("--device", device, "Device by index or part of its name (see shadewright devices)");
-  verb.add_flag("--quiet", quiet, "No progress, no remarks");
-  verb.add_flag("--verbose", verbose, "Say more");
-  verb.add_flag("--validation", validation, "Run with the Khronos validation layer; any message is an error");
 }
 
 namespace {

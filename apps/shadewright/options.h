@@ -41,7 +41,10 @@ struct SceneFlags {
   std::string device;
   bool quiet = false, verbose = false, validation = false;
 
+  /// All of them.
   void add_to(CLI::App& verb);
+  /// Which scene, camera and light, how large, on which device: without what frames, repeats and truths are about.
+  void add_view_to(CLI::App& verb);
 };
 
 /// The scene with the camera and light that the flags, the file, or our own judgement chose.

@@ -15,5 +15,6 @@ void add_bake(CLI::App& app);
 void add_bench(CLI::App& app);
 void add_info(CLI::App& app);
 void add_query(CLI::App& app);
+void add_view(CLI::App& app);
 
 }  // namespace shadewright::app

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <mutex>
+#include <span>
 
 #include "shadewright/error.h"
 
@@ -38,15 +39,22 @@ vk::raii::Context make_context() {
   }
 }
 
-vk::raii::Instance make_instance(const vk::raii::Context& context, bool validation) {
+std::vector<const char*> c_strings(std::span<const std::string> texts) {
+  std::vector<const char*> result;
+  for (const std::string& text : texts) result.push_back(text.c_str());
+  return result;
+}
+
+vk::raii::Instance make_instance(const vk::raii::Context& context, bool validation,
+                                 std::span<const std::string> further_extensions = {}) {
   const vk::ApplicationInfo application("shadewright", 1, "shadewright", 1, api_version);
-  std::vector<const char*> layers, extensions;
+  std::vector<const char*> layers, extensions = c_strings(further_extensions);
   const vk::ValidationFeatureEnableEXT synchronization = vk::ValidationFeatureEnableEXT::eSynchronizationValidation;
   const vk::ValidationFeaturesEXT features(synchronization);
   vk::InstanceCreateInfo info({}, &application);
   if (validation) {
     layers.push_back("VK_LAYER_KHRONOS_validation");
-    extensions = {VK_EXT_DEBUG_UTILS_EXTENSION_NAME, VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME};
+    extensions.insert(extensions.end(), {VK_EXT_DEBUG_UTILS_EXTENSION_NAME, VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME});
     info.pNext = &features;
   }
   info.setPEnabledLayerNames(layers);
@@ -89,6 +97,15 @@ void chain(DeviceFeatures& f) {
 void read_features(const vk::raii::PhysicalDevice& physical, DeviceFeatures& features) {
   chain(features);
   (*physical).getFeatures2(&features.core, *physical.getDispatcher());
+}
+
+/// "no NAME" for the first of `wanted` that the device lacks; empty if it has them all.
+std::string missing_extension(const vk::raii::PhysicalDevice& physical, std::span<const char* const> wanted) {
+  const auto extensions = physical.enumerateDeviceExtensionProperties();
+  for (const std::string_view name : wanted)
+    if (std::ranges::none_of(extensions, [&](const auto& e) { return std::string_view(e.extensionName) == name; }))
+      return "no " + std::string(name);
+  return "";
 }
 
 bool can_wide_atomics(const vk::raii::PhysicalDevice& physical) {
@@ -206,12 +223,7 @@ std::vector<DeviceInfo> Device::list() {
 
 std::string Device::why_unusable(const vk::raii::PhysicalDevice& physical) {
   if (physical.getProperties().apiVersion < api_version) return "no Vulkan 1.3";
-  for (const char* wanted : Device::required_extensions()) {
-    const auto extensions = physical.enumerateDeviceExtensionProperties();
-    if (std::none_of(extensions.begin(), extensions.end(),
-                     [&](const auto& e) { return std::string_view(e.extensionName) == wanted; }))
-      return std::string("no ") + wanted;
-  }
+  if (const std::string missing = missing_extension(physical, required_extensions()); !missing.empty()) return missing;
   DeviceFeatures features;
   read_features(physical, features);
   std::string missing;
@@ -231,7 +243,7 @@ void Device::required_features(DeviceFeatures& features) {
 }
 
 Device::Device(const DeviceOptions& options) : context_(make_context()), messages_(std::make_unique<Messages>()) {
-  instance_ = make_instance(context_, options.validation);
+  instance_ = make_instance(context_, options.validation, options.instance_extensions);
   if (options.validation) {
     using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
     using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
@@ -243,14 +255,19 @@ Device::Device(const DeviceOptions& options) : context_(make_context()), message
   }
   std::vector<DeviceInfo> all;
   const auto physicals = instance_.enumeratePhysicalDevices();
-  for (const auto& physical : physicals) all.push_back(describe(physical, static_cast<uint32_t>(all.size())));
+  std::vector<const char*> extensions = c_strings(options.device_extensions);
+  for (const auto& physical : physicals) {
+    all.push_back(describe(physical, static_cast<uint32_t>(all.size())));
+    if (all.back().unusable.empty()) all.back().unusable = missing_extension(physical, extensions);
+  }
   info_ = choose(all, options.select);
   physical_ = physicals[info_.index];
   queue_family_ = find_queue_family(physical_);
 
   const float priority = 1.0f;
   const vk::DeviceQueueCreateInfo queue_info({}, queue_family_, 1, &priority);
-  const auto extensions = required_extensions();
+  const auto required = required_extensions();
+  extensions.insert(extensions.end(), required.begin(), required.end());
   DeviceFeatures features;
   required_features(features);
   double_precision_ = options.optional_features && physical_.getFeatures().shaderFloat64 == VK_TRUE;

@@ -31,6 +31,20 @@ TEST_F(GpuTest, SelectsByIndexAndByPartOfTheName) {
   EXPECT_THROW(Device({"999", false}), InputError);
 }
 
+TEST_F(GpuTest, RefusesDevicesWithoutTheExtensionsAskedFor) {
+  DeviceOptions options;
+  options.instance_extensions = {VK_KHR_SURFACE_EXTENSION_NAME};
+  options.device_extensions = {VK_KHR_SWAPCHAIN_EXTENSION_NAME};
+  EXPECT_NO_THROW(Device{options});
+  options.device_extensions.emplace_back("VK_NOBODY_has_this");
+  try {
+    Device{options};
+    FAIL() << "accepted";
+  } catch (const FailureError& error) {
+    EXPECT_NE(std::string(error.what()).find("no VK_NOBODY_has_this"), std::string::npos) << error.what();
+  }
+}
+
 TEST_F(GpuTest, BuffersKeepWhatIsUploaded) {
   std::vector<uint32_t> values(100'003);
   std::iota(values.begin(), values.end(), 7u);

@@ -8,6 +8,7 @@
 #include <bit>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -447,6 +448,12 @@ std::optional<Spec> Spec::nested(std::string_view key) const {
 
 bool Spec::takes(std::string_view key) const {
   return find_key(key, *this) != nullptr;
+}
+
+std::vector<SpecKey> Spec::keys() const {
+  std::vector<SpecKey> result;
+  std::ranges::copy_if(all_keys(), std::back_inserter(result), [&](const SpecKey& key) { return belongs(key, *this); });
+  return result;
 }
 
 std::vector<std::string> expand_sweep(std::string_view text) {

@@ -37,6 +37,17 @@ TEST(SpecTest, WritesAliasesOut) {
             "precomputed@65536,dynamic=(uniform/depth/pcf@1024,radius=2),taps=9");
 }
 
+TEST(SpecTest, ListsTheKeysThatATechniqueTakes) {
+  std::vector<std::string> names;
+  for (const SpecKey& key : parse_spec("csm").keys()) names.push_back(key.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"bias", "radius", "cascades", "lambda", "splits", "stable", "width"}));
+  for (const SpecKey& key : parse_spec("psm").keys())
+    if (key.name == "fit") {
+      EXPECT_EQ(key.owner, "perspective");
+    }
+  EXPECT_TRUE(parse_spec("ray").keys().empty());
+}
+
 TEST(SpecTest, WritesValuesInTheirShortestForm) {
   EXPECT_EQ(parse_spec("sm,bias=1.0").canonical(), "uniform/depth/hard@2048");
   EXPECT_EQ(parse_spec("sm@2048,bias=-0").canonical(), "uniform/depth/hard@2048,bias=0");

@@ -30,6 +30,8 @@ struct DeviceOptions {
   bool validation =
       false;  ///< turn the Khronos validation layer on, with synchronization checks; messages are collected
   bool optional_features = true;  ///< false: only what every device must have, as if this one had no more
+  /// Further ones, as a window system asks for them. A device without these can't be used.
+  std::vector<std::string> instance_extensions = {}, device_extensions = {};
 };
 
 /// Handles that the caller owns and keeps alive for as long as the Device. The device must have been created with
@@ -88,6 +90,7 @@ class Device {
   static void required_features(DeviceFeatures& features);
 
   const vk::raii::Device& handle() const { return device_; }
+  const vk::raii::Instance& instance() const { return instance_; }
   const vk::raii::PhysicalDevice& physical() const { return physical_; }
   const vk::raii::Queue& queue() const { return queue_; }
   uint32_t queue_family() const { return queue_family_; }

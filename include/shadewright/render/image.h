@@ -14,6 +14,9 @@
 
 namespace shadewright::render {
 
+/// How far from a lamp the picture is as bright as under the sun: at what the camera looks at. 0 for a sun.
+float lamp_distance(const Light& light, const Camera& camera);
+
 /// Linear radiance of each point: the light where `visibility` (0..1) lets it, ambient from the sky, a sky behind.
 /// `albedo` is linear RGBA8 a pixel. Sizes: width * height each.
 std::vector<glm::vec3> shade(std::span<const SurfacePoint> points, std::span<const uint8_t> albedo,

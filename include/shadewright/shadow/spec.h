@@ -11,6 +11,8 @@
 
 namespace shadewright::shadow {
 
+struct SpecKey;
+
 /// A parsed spec. Every key is known, belongs to a part of this technique and is in range.
 struct Spec {
   std::string text;              ///< as given
@@ -30,6 +32,8 @@ struct Spec {
   std::optional<Spec> nested(std::string_view key) const;
   /// True if this technique takes the key at all.
   bool takes(std::string_view key) const;
+  /// All keys that it takes.
+  std::vector<SpecKey> keys() const;
 };
 
 /// One key of a spec.

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "shaders/blur_moments_frag.h"
-#include "shaders/blur_moments_vert.h"
+#include "shaders/whole_image_vert.h"
 #include "shadewright/render/image.h"
 #include "shadow/storage/map_picture.h"
 
@@ -48,7 +48,7 @@ MomentsStorage::MomentsStorage(const gpu::Device& device, const StorageDesc& des
     row_ = gpu::Image(device, {"shadow blur", moments_format, extent.width, extent.height, 1,
                                Usage::eColorAttachment | Usage::eSampled, true});
     gpu::GraphicsDesc pass;
-    pass.vertex = shaders::blur_moments_vert;
+    pass.vertex = shaders::whole_image_vert;
     pass.fragment = shaders::blur_moments_frag;
     pass.kinds = {gpu::BindingKind::sampled_image};
     pass.push_bytes = sizeof(BlurPush);

@@ -1,4 +1,4 @@
-// One triangle over the whole map.
+// One triangle over the whole of what is drawn into.
 #version 460
 
 void main() { gl_Position = vec4(vec2(gl_VertexIndex & 1, gl_VertexIndex >> 1) * 4.0 - 1.0, 0.0, 1.0); }

@@ -1,0 +1,59 @@
+#include "camera_moves.h"
+
+#include <gtest/gtest.h>
+
+namespace shadewright::viewer {
+namespace {
+
+Camera ahead() {
+  Camera camera;
+  camera.eye = {1, 2, 3};
+  camera.target = {1, 2, -7};
+  return camera;
+}
+
+void expect_near(const glm::dvec3& a, const glm::dvec3& b) {
+  EXPECT_NEAR(glm::distance(a, b), 0, 1e-9) << a.x << " " << a.y << " " << a.z;
+}
+
+TEST(CameraMoves, TurnsToTheRightAndUpAboutTheEye) {
+  const Camera right = turned(ahead(), glm::radians(90.0), 0);
+  expect_near(right.eye, {1, 2, 3});
+  expect_near(right.target, {11, 2, 3});
+  const Camera up = turned(ahead(), 0, glm::radians(30.0));
+  expect_near(up.target, {1, 7, 3 - 10 * std::cos(glm::radians(30.0))});
+}
+
+TEST(CameraMoves, DoesNotTipOver) {
+  const Camera camera = turned(ahead(), 0, 10);
+  EXPECT_GT(camera.target.y, camera.eye.y + 9.9);
+  EXPECT_LT(camera.target.z, camera.eye.z);
+  expect_near(turned(camera, 0, -glm::radians(89.0)).target, {1, 2, -7});
+}
+
+TEST(CameraMoves, CirclesWhatItLooksAt) {
+  const Camera camera = circled(ahead(), glm::radians(90.0), 0);
+  expect_near(camera.target, {1, 2, -7});
+  expect_near(camera.eye, {-9, 2, -7});
+}
+
+TEST(CameraMoves, KeepsTheUpperEdgeOfACameraThatLooksStraightDown) {
+  Camera down;
+  down.eye = {0, 10, 0};
+  down.target = {0, 0, 0};
+  down.up = {1, 0, 0};
+  const Camera camera = turned(down, 0, glm::radians(45.0));
+  // +X was up in the image: tilted up, it looks that way.
+  EXPECT_GT(camera.target.x, 1);
+  EXPECT_NEAR(camera.target.z, 0, 1e-9);
+}
+
+TEST(CameraMoves, MovesAlongItsOwnAxesWithWhatItLooksAt) {
+  const Camera camera = moved(ahead(), {1, 2, 3});
+  expect_near(camera.eye, {2, 4, 0});
+  expect_near(camera.target, {2, 4, -10});
+  expect_near(approached(ahead(), 0.5).eye, {1, 2, -2});
+}
+
+}  // namespace
+}  // namespace shadewright::viewer

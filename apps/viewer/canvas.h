@@ -1,0 +1,105 @@
+// What the window shows, without the window: a scene on the device, drawn by the camera, with the answers of up to two
+// techniques side by side.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "shadewright/compare/report.h"
+#include "shadewright/gpu/pass.h"
+#include "shadewright/image/picture.h"
+#include "shadewright/progress.h"
+#include "shadewright/render/camera_pass.h"
+#include "shadewright/render/scene_gpu.h"
+#include "shadewright/scene/moments.h"
+#include "shadewright/shadow/technique.h"
+#include "truth.h"
+
+namespace shadewright::viewer {
+
+enum class Show { lit, visibility, wrong };
+
+/// How the answers are laid out.
+struct Look {
+  Show show = Show::lit;
+  double divider = 1;  ///< share of the width that is the left side's
+
+  bool operator==(const Look&) const = default;
+};
+
+inline constexpr size_t left = 0, right = 1;
+
+/// What a side's technique took in the frame that was drawn last.
+struct SideFigures {
+  std::string problem;  ///< why there is no answer, one sentence; empty = there is one
+  std::vector<gpu::StageTime> stages;
+  uint64_t bytes = 0;
+  std::optional<compare::ErrorFigures> error;  ///< while wrong pixels are shown
+};
+
+class Canvas {
+ public:
+  /// `scene` outlives the canvas.
+  Canvas(const gpu::Device& device, const Scene& scene);
+
+  /// Makes everything that has the picture's size anew, the techniques included. The picture is empty until `draw`.
+  void resize(uint32_t width, uint32_t height);
+  /// Which technique answers on `side`; none: nobody. What it bakes when next drawn tells `progress`.
+  void set_technique(size_t side, const std::optional<shadow::Spec>& spec, const Progress& progress);
+  /// Draws the moment; what has not changed since the last call (the camera's pass, a side's answer, the truth, all)
+  /// stays as it is. True if anything was drawn.
+  bool draw(const Moment& moment, const Look& look);
+
+  /// RGBA8, sRGB, in transfer-source layout.
+  gpu::Image& image() { return image_; }
+  /// The same, read back.
+  Picture picture();
+  double camera_milliseconds() const { return camera_milliseconds_; }
+  const SideFigures& figures(size_t side) const { return sides_[side].figures; }
+  /// A side's debug images: their names, and one of the frame that was drawn last.
+  std::vector<std::string> debug_names(size_t side) const;
+  Picture debug_picture(size_t side, const std::string& name);
+
+ private:
+  /// One technique, or the truth in its place (`ray`), or nobody.
+  struct Side {
+    std::optional<shadow::Spec> spec;
+    Progress progress = no_progress;
+    std::unique_ptr<shadow::Technique> technique;
+    SideFigures figures;
+    bool answered = false;  ///< for what is drawn
+
+    bool is_truth() const { return spec && spec->parameterization == "ray"; }
+  };
+
+  void make_technique(Side& side);
+  void draw_camera(const Moment& moment);
+  void answer(Side& side);
+  void trace();
+  void measure(Side& side);
+  void compose(const Look& look);
+  gpu::Image& visibility(const Side& side);
+
+  const gpu::Device& device_;
+  const Scene& scene_;
+  render::SceneGpu scene_gpu_;
+  gpu::GraphicsPass compose_;
+  vk::raii::Sampler sampler_;
+  gpu::Buffer camera_;
+
+  std::unique_ptr<render::CameraPass> camera_pass_;
+  std::unique_ptr<Truth> truth_;  ///< made when it is first wanted
+  std::array<Side, 2> sides_;
+  gpu::Image image_;
+  std::optional<Moment> drawn_;   ///< what the camera pass shows
+  std::optional<Look> composed_;  ///< how the picture shows it; none: it is not what it should be
+  bool traced_ = false;           ///< the truth is of that
+  render::CameraView view_;
+  double camera_milliseconds_ = 0;
+};
+
+}  // namespace shadewright::viewer
