@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "geometry/place_order.h"
 #include "shadewright/geometry/projection.h"
@@ -168,18 +169,17 @@ Polytope Polytope::from_box(const Box& box) {
   return result;
 }
 
-Polytope clip(const Polytope& polytope, const Plane& plane) {
-  return clip(polytope, std::span(&plane, 1));
+Polytope clip(Polytope polytope, const Plane& plane) {
+  return clip(std::move(polytope), std::span(&plane, 1));
 }
 
-Polytope clip(const Polytope& polytope, std::span<const Plane> planes) {
-  Polytope result = polytope;
-  Clipper clipper(result);
+Polytope clip(Polytope polytope, std::span<const Plane> planes) {
+  Clipper clipper(polytope);
   for (const Plane& plane : planes) {
-    if (result.empty()) break;
+    if (polytope.empty()) break;
     clipper.clip(plane);
   }
-  return result;
+  return polytope;
 }
 
 Polytope transform(const glm::dmat4& to_from, const Polytope& polytope) {

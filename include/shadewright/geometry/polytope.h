@@ -37,9 +37,9 @@ struct Polytope {
 
 /// The part of `polytope` inside `plane`. Slivers below 1e-12 of the polytope's size are dropped; one that is flat and
 /// lies in the plane stays whole.
-Polytope clip(const Polytope& polytope, const Plane& plane);
+Polytope clip(Polytope polytope, const Plane& plane);
 /// The part of `polytope` inside all `planes`.
-Polytope clip(const Polytope& polytope, std::span<const Plane> planes);
+Polytope clip(Polytope polytope, std::span<const Plane> planes);
 
 /// `polytope` under a projective map whose w is positive on all of it. Faces keep their order; their planes are fitted
 /// to the mapped corners.

@@ -23,36 +23,31 @@ TileConstants constants;
 // What the look-up calls facing must not be missed for the order of its arithmetic.
 const float facing_slack = 1e-4;
 // Of this thread's pixels: depths as the camera's buffer has them, and bounds in the world.
-float depth_low = 1.0 / 0.0, depth_high = -1.0 / 0.0, light_low = 1.0 / 0.0;
-vec3 low = vec3(1.0 / 0.0), high = vec3(-1.0 / 0.0);
+const float infinity = 1.0 / 0.0;
+float depth_low = infinity, depth_high = -infinity, light_low = infinity;
+vec3 low = vec3(infinity), high = vec3(-infinity);
 
-// Distance from the light along the axis of its map; negative for what a spot does not reach.
-float axis_distance(vec3 from_light) {
-  if (light_kind == light_point) {
-    vec3 a = abs(from_light);
-    return max(a.x, max(a.y, a.z));
-  }
-  float along = dot(from_light, constants.light_direction);
-  return along >= constants.light_cos_outer * length(from_light) ? along : -1.0;
-}
-
+// No branches: a CPU device runs both sides of them anyway, and keeps book of the lanes.
 void take(ivec2 pixel, float depth, vec2 encoded_normal) {
-  if (depth == camera.background_depth) return;
   vec3 normal = octahedral_direction(encoded_normal);
   vec3 world = camera_surface(camera, pixel, depth);
+  bool counts = depth != camera.background_depth;
   if (light_kind == light_directional) {
-    if (dot(normal, constants.light_direction) > facing_slack) return;
+    counts = counts && dot(normal, constants.light_direction) <= facing_slack;
   } else {
     vec3 from_light = world - constants.light_position;
-    if (dot(normal, from_light) > facing_slack * length(from_light)) return;
-    float along = axis_distance(from_light);
-    if (along < 0.0) return;
-    light_low = min(light_low, along);
+    float away = length(from_light);
+    counts = counts && dot(normal, from_light) <= facing_slack * away;
+    // Along the axis of the map that it falls into.
+    vec3 a = abs(from_light);
+    float along = light_kind == light_point ? max(a.x, max(a.y, a.z)) : dot(from_light, constants.light_direction);
+    if (light_kind == light_spot) counts = counts && along >= constants.light_cos_outer * away;
+    light_low = min(light_low, counts ? along : infinity);
   }
-  depth_low = min(depth_low, depth);
-  depth_high = max(depth_high, depth);
-  low = min(low, world);
-  high = max(high, world);
+  depth_low = min(depth_low, counts ? depth : infinity);
+  depth_high = max(depth_high, counts ? depth : -infinity);
+  low = min(low, counts ? world : vec3(infinity));
+  high = max(high, counts ? world : vec3(-infinity));
 }
 
 void main() {

@@ -32,19 +32,24 @@ glm::dvec2 least_half(const Box& window) {
   return glm::max(glm::dvec2(0.5 * window.size()), least);
 }
 
-/// Corners of the part of `box` inside all `planes`.
-void append_clipped(std::vector<glm::dvec3>& points, const Box& box, std::span<const Plane> planes) {
-  const bool inside = std::all_of(planes.begin(), planes.end(), [&](const Plane& plane) {
-    const glm::dvec3 half = 0.5 * box.size();
-    return plane.distance(box.center()) >= glm::dot(glm::abs(plane.normal), half);
-  });
-  if (inside) {
+/// Appends to `points` the corners of the part of `box` inside all `planes`. `cutting` is room to work in.
+void append_clipped(std::vector<glm::dvec3>& points, const Box& box, std::span<const Plane> planes,
+                    std::vector<Plane>& cutting) {
+  cutting.clear();
+  const glm::dvec3 center = box.center(), half = 0.5 * box.size();
+  for (const Plane& plane : planes)
+    if (plane.distance(center) < glm::dot(glm::abs(plane.normal), half)) cutting.push_back(plane);
+  if (cutting.empty()) {
     const auto corners = box.corners();
     points.insert(points.end(), corners.begin(), corners.end());
-  } else if (!outside(box, planes)) {
-    const auto clipped = clip(Polytope::from_box(box), planes).points();
-    points.insert(points.end(), clipped.begin(), clipped.end());
+    return;
   }
+  if (outside(box, cutting)) return;
+  // Faces that meet in a corner have the same bits there.
+  const auto first = static_cast<std::ptrdiff_t>(points.size());
+  for (const Polytope::Face& face : clip(Polytope::from_box(box), cutting).faces)
+    for (const glm::dvec3& corner : face.polygon)
+      if (std::find(points.begin() + first, points.end(), corner) == points.end()) points.push_back(corner);
 }
 
 }  // namespace
@@ -82,9 +87,10 @@ std::vector<Plane> window_planes(const LightFrame& light) {
 
 std::vector<glm::dvec3> receiver_points(const Frame& frame, std::span<const Plane> planes) {
   std::vector<glm::dvec3> points;
+  std::vector<Plane> cutting;
   if (frame.scene)
-    for (const Box& box : frame.scene->instance_bounds()) append_clipped(points, box, planes);
-  if (!frame.draw_bounds.empty()) append_clipped(points, frame.draw_bounds, planes);
+    for (const Box& box : frame.scene->instance_bounds()) append_clipped(points, box, planes, cutting);
+  if (!frame.draw_bounds.empty()) append_clipped(points, frame.draw_bounds, planes, cutting);
   return points;
 }
 
