@@ -70,6 +70,8 @@ const std::vector<SpecKey>& all_keys() {
                  "of warp=psm: the eye moves back to where texels are smallest, or as little as the paper asks"),
       choice_key("fit", "perspective", {"visible", "view"},
                  "what receives: this frame's surface points, or without waiting what the camera's frustum holds"),
+      choice_key("fallback", "perspective", {"on", "off"},
+                 "on: a uniform map where that has smaller texels; off: the projection as it is, to study it"),
       choice_key("analysis_scale", "paged", {"1", "2", "4", "8"},
                  "requests come from every so many pixels along each axis; what they miss, a backup of 1,024 texels "
                  "serves, or a coarser page that is there"),

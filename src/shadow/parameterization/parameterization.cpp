@@ -30,8 +30,12 @@ std::unique_ptr<Parameterization> make_parameterization(const gpu::Device& devic
     if (kind != WarpKind::psm && spec.choice("shift") == "least")
       throw InputError(fmt::format("spec '{}'", spec.text), "only plain perspective shadow maps shift the eye",
                        "add warp=psm or leave shift out");
-    const PerspectiveOptions perspective{kind, spec.choice("shift") == "least", spec.choice("fit") == "visible",
-                                         within_map(filter_reach(spec), spec.resolution), spec.filter == "pcf"};
+    const PerspectiveOptions perspective{kind,
+                                         spec.choice("shift") == "least",
+                                         spec.choice("fit") == "visible",
+                                         within_map(filter_reach(spec), spec.resolution),
+                                         spec.filter == "pcf",
+                                         spec.choice("fallback") == "on"};
     return std::make_unique<Perspective>(device, spec.resolution, perspective, options.width, options.height);
   }
   if (spec.parameterization == "paged") return std::make_unique<Paged>(device, spec, options);

@@ -83,8 +83,8 @@ Receivers Perspective::find_receivers(const Frame& frame, gpu::Recorder& recorde
 }
 
 void Perspective::choose_views(const Frame& frame, const Receivers& receivers) {
-  WarpOptions options{options_.warp,  options_.least_shift, resolution_, options_.from_buffers, nullptr, {},
-                      options_.reach, options_.soft};
+  WarpOptions options{options_.warp,  options_.least_shift, resolution_,        options_.from_buffers, nullptr, {},
+                      options_.reach, options_.soft,        options_.falls_back};
   std::vector<Box> casters;
   if (options_.from_buffers) {
     if (frame.scene) casters.assign(frame.scene->instance_bounds().begin(), frame.scene->instance_bounds().end());

@@ -7,7 +7,8 @@
 //    (light_plane.h). warp=psm: the light is seen from under the camera's perspective transform, whose eye is moved
 //    back (sections 3, 4.2); H, what may shadow the receivers, follows from them and the light (section 4.1).
 // 3. The map is fitted tightly to the receivers' image; depth is the light's own distance.
-// 4. Where a texel is not smaller than that of `uniform,fit=view`, its view is taken (counter "fallback").
+// 4. Where a texel is not smaller than that of `uniform,fit=view`, its view is taken (counter "fallback"), but for
+//    fallback=off, which shows a projection as it is.
 //
 // What differs from the paper: PSM's projections are some of those that the search chooses from, so `best` is the
 // default. PSM moves the eye back as little as H allows (shift=least); by default the shift is the one whose texels are
@@ -29,6 +30,7 @@ struct PerspectiveOptions {
   bool from_buffers = true;  ///< fit=visible; false: fit=view, which waits for nothing
   FilterReach reach{};       ///< what look-ups read around a receiver, across faces of a point light too
   bool soft = false;         ///< what they read there darkens it
+  bool falls_back = true;    ///< fallback=on
 };
 
 class Perspective final : public Parameterization {

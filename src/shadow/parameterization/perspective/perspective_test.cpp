@@ -201,6 +201,31 @@ TEST(PerspectiveTest, MinersHeadLampIsUniform) {
   for (int i = 0; i < 4; ++i) EXPECT_NEAR(psm.w[i], scale * uniform.w[i], 1e-9 * glm::length(psm.w));
 }
 
+TEST(PerspectiveTest, WithoutFallbackTheProjectionStaysWhateverItsTexels) {
+  const Ground ground;
+  const Box scene{{-50, 0, -60}, {50, 20, 50}};
+  int fallbacks = 0;
+  for (double azimuth = 0; azimuth < 360; azimuth += 15)
+    for (const double elevation : {5.0, 30.0, 60.0}) {
+      const Light light = sun(azimuth, elevation);
+      const LightFrame frame = light_frames(light).front();
+      const Receivers receivers = ground.seen(light);
+      WarpOptions options{WarpKind::psm, true, 512, true, nullptr, {}};
+      if (!choose_warp(light, frame, ground.camera, receivers, scene, options).fallback) continue;
+      ++fallbacks;
+      options.falls_back = false;
+      const Warp warp = choose_warp(light, frame, ground.camera, receivers, scene, options);
+      EXPECT_TRUE(warp.drawn && !warp.fallback);
+      EXPECT_LE(warp.gain, 1);
+      for (const ReceiverSample& sample : receivers.samples) {
+        const glm::dvec4 q = warp.light_from_world * glm::dvec4(sample.world, 1.0);
+        EXPECT_GT(q.w, 0);
+        EXPECT_LE(std::max(std::abs(q.x), std::abs(q.y)), q.w);
+      }
+    }
+  EXPECT_GT(fallbacks, 0);
+}
+
 TEST(PerspectiveTest, NothingVisibleIsAViewThatIsNotDrawn) {
   const Ground ground;
   const Light light = sun(30, 40);

@@ -355,7 +355,7 @@ Warp choose_warp(const Light& light, const LightFrame& frame, const CameraMap& c
 
   fit.exact = true;
   std::optional<glm::dmat4> matrix;
-  if (best_texel < plain_texel) matrix = fit_projection(best, frame, reached, fit);
+  if (best_texel < (options.falls_back ? plain_texel : infinity)) matrix = fit_projection(best, frame, reached, fit);
   warp.fallback = !matrix;
   if (warp.fallback) {
     fit.turn = true;
@@ -369,7 +369,8 @@ Warp choose_warp(const Light& light, const LightFrame& frame, const CameraMap& c
   warp.light_from_world = *matrix;
   // Never below the map that a user would have instead. Without surface points the estimate is too rough to tell it
   // from a warped one; two uniform ones differ the same way everywhere.
-  if (options.plain && (options.seen || warp.fallback) && plane.mean_texel(*options.plain) < texel(matrix)) {
+  const bool may_fall_back = warp.fallback || (options.seen && options.falls_back);
+  if (options.plain && may_fall_back && plane.mean_texel(*options.plain) < texel(matrix)) {
     warp = {};
     warp.light_from_world = *options.plain;
     warp.drawn = warp.fallback = true;

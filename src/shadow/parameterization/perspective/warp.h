@@ -53,13 +53,14 @@ struct WarpOptions {
   std::span<const Box> casters;       ///< world bounds that hold all casters; none: not known
   FilterReach reach{};                ///< what look-ups read around a receiver
   bool soft = false;                  ///< what they read there darkens it
+  bool falls_back = true;             ///< to a uniform map where that has smaller texels
 };
 
 /// The matrix of one view.
 struct Warp {
   glm::dmat4 light_from_world{1.0};
   bool drawn = false;     ///< false: nothing visible receives here
-  bool fallback = false;  ///< uniform, since no perspective has smaller texels
+  bool fallback = false;  ///< uniform, since no perspective will do, or has smaller texels
   double shift = 0;       ///< of PSM's eye, metres
   double gain = 1;        ///< mean size of a uniform map's texel over this one's
   WorldReach reach{};     ///< of look-ups around a receiver
