@@ -110,9 +110,10 @@ void Canvas::make_technique(Side& side) {
   side.answered = false;
   side.figures = {};
   if (!side.spec || side.is_truth() || !image_) return;
-  const auto [width, height] = image_.extent();
+  const vk::Extent2D size = image_.extent();
   side.figures.problem = problem_of([&] {
-    side.technique = shadow::make_technique(device_, *side.spec, {width, height, 1, true, &scene_, side.progress});
+    side.technique =
+        shadow::make_technique(device_, *side.spec, {size.width, size.height, 1, true, &scene_, side.progress});
   });
 }
 

@@ -140,9 +140,8 @@ TEST_F(MapTechniqueTest, TakesACameraWithAFarPlane) {
        {std::pair("sm@256", lamp), {"psm@256", lamp}, {"csm@256", spot}, {"rtw@256", spot}}) {
     SCOPED_TRACE(text);
     with_far.frame().light = without.frame().light = light;
-    const auto mask = [&](ViewForTest& view) {
-      return view.look_up(*make_technique(device(), parse_spec(text), {width, height}));
-    };
+    const Spec spec = parse_spec(text);
+    const auto mask = [&](ViewForTest& view) { return view.look_up(*make_technique(device(), spec, {width, height})); };
     const auto found = mask(with_far), expected = mask(without);
     EXPECT_GT(std::ranges::count(expected, std::byte{255}), 100);
     const auto differing =
