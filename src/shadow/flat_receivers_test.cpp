@@ -1,5 +1,6 @@
 // All receivers in one plane, across the view, the light or both: they have no depth of their own, against ray tracing.
 #include "gpu/device_for_test.h"
+#include "shadewright/compare/metrics.h"
 #include "shadewright/compare/study.h"
 
 namespace shadewright::shadow {
@@ -48,6 +49,56 @@ TEST_F(FlatReceiversTest, KeepTheirShadows) {
       const compare::ErrorFigures error = study.run(parse_spec(spec)).result.error;
       EXPECT_LE(error.wrong, error.compared / 100) << c.name << ", " << spec;
       EXPECT_LE(error.oracle_fraction.value_or(0), 5e-4) << c.name << ", " << spec;
+    }
+  }
+}
+
+/// A square across `axis` at `height` along it, of half the side `half`.
+void add_square(Scene& scene, int axis, double height, double half) {
+  Mesh mesh;
+  for (const glm::dvec2& corner : {glm::dvec2(-1, -1), {1, -1}, {1, 1}, {-1, 1}}) {
+    glm::dvec3 p;
+    p[axis] = height;
+    p[(axis + 1) % 3] = half * corner.x;
+    p[(axis + 2) % 3] = half * corner.y;
+    mesh.positions.emplace_back(p);
+  }
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  scene.instances.emplace_back().mesh = static_cast<uint32_t>(scene.meshes.size());
+  scene.meshes.push_back(std::move(mesh));
+}
+
+TEST_F(FlatReceiversTest, KeepTheShadowsOfWhatIsAsFlat) {
+  for (const int axis : {0, 1, 2}) {
+    Scene scene;
+    add_square(scene, axis, 0, 10);
+    add_square(scene, axis, 3, 2);
+    const auto place = [&](double along, double u, double v) {
+      glm::dvec3 p;
+      p[axis] = along;
+      p[(axis + 1) % 3] = u;
+      p[(axis + 2) % 3] = v;
+      return p;
+    };
+    Camera camera;
+    camera.eye = place(1.6, 6, 5);
+    camera.target = place(0, 0, 0);
+    camera.up = place(1, 0, 0);
+    Light light;
+    light.position = place(9, 1, -1);
+    light.direction = glm::normalize(place(-1, -0.1, 0.1));
+    light.outer_angle = 0.8;
+    for (const LightKind kind : {LightKind::directional, LightKind::spot, LightKind::point}) {
+      light.kind = kind;
+      compare::Study study(device(), scene, camera, light, {160, 90, 0, 0, true});
+      const auto facing = compare::facing_light(study.points(), light);
+      ASSERT_GT(std::ranges::count(facing, uint8_t{1}), std::ranges::count(study.reference(), uint8_t{1}) + 300)
+          << "there is no shadow to lose";
+      for (const char* spec : {"sm@256", "psm@256", "perspective@256,warp=lispsm"}) {
+        const compare::ErrorFigures error = study.run(parse_spec(spec)).result.error;
+        EXPECT_LE(error.wrong, error.compared / 50) << "axis " << axis << ", " << spec;
+        EXPECT_LE(error.oracle_fraction.value_or(0), 1e-3) << "axis " << axis << ", " << spec;
+      }
     }
   }
 }

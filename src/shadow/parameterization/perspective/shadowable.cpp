@@ -33,7 +33,13 @@ class Sweep {
   bool meets(const Box& caster, const Box& receivers) const {
     double from = 0, to = directional_ ? infinity : 1;
     for (int axis = 0; axis < 3; ++axis) {
-      const double low = receivers.min[axis] + slack_, high = receivers.max[axis] - slack_;
+      double low = receivers.min[axis] + slack_, high = receivers.max[axis] - slack_;
+      if (low > high) {
+        // Flat receivers are where their middle is. What lies in their plane casts nothing on them.
+        const double middle = 0.5 * (low + high), velocity = directional_ ? light_[axis] : light_[axis] - middle;
+        if (velocity > 0 ? caster.max[axis] < low : velocity < 0 && caster.min[axis] > high) return false;
+        low = high = middle;
+      }
       const double low_velocity = directional_ ? light_[axis] : light_[axis] - low;
       const double high_velocity = directional_ ? light_[axis] : light_[axis] - high;
       // low + t * velocity <= the caster's end, and the same for the other ends.
