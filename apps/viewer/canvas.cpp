@@ -9,6 +9,7 @@
 #include "render/shared.h"
 #include "shaders/compose_frag.h"
 #include "shaders/whole_image_vert.h"
+#include "shadewright/compare/metrics.h"
 #include "shadewright/error.h"
 #include "shadewright/render/image.h"
 
@@ -210,6 +211,7 @@ void Canvas::compose(const Look& look) {
   for (const size_t side : {left, right})
     if (sides_[side].is_truth() || (sides_[side].technique && sides_[side].figures.problem.empty()))
       constants.answered |= 1u << side;
+  constants.least_cosine = static_cast<float>(compare::edge_on_cosine);
   constants.false_shadow = color(compare::false_shadow_color);
   constants.false_lit = color(compare::false_lit_color);
 

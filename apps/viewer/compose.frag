@@ -39,7 +39,7 @@ void main() {
   if (compose.show == show_wrong) {
     picture = vec3(0.25 + 0.5 * dot(picture, vec3(0.2126, 0.7152, 0.0722)));
     bool truth = texelFetch(truth_image, pixel, 0).r >= 0.5;
-    if (answered && dot(normal, to_light) > 0.0 && truth != (visibility >= 0.5))
+    if (answered && dot(normal, to_light) > compose.least_cosine * length(to_light) && truth != (visibility >= 0.5))
       picture = truth ? compose.false_shadow : compose.false_lit;
   }
   color = vec4(picture, 1.0);

@@ -22,6 +22,16 @@ fs::path nearest_existing(fs::path folder) {
   return folder;
 }
 
+/// "NAME.part", or "NAME.part-2" and so on where that is somebody's: what stands beside is not ours to overwrite.
+/// `take` says of a path whether it was free.
+fs::path place_beside(const fs::path& name, const std::function<bool(const fs::path&)>& take) {
+  for (int i = 1;; ++i) {
+    fs::path place = name;
+    place += i == 1 ? ".part" : ".part-" + std::to_string(i);
+    if (take(place)) return place;
+  }
+}
+
 /// Throws filesystem_error.
 void move_entries(const fs::path& from, const fs::path& to) {
   fs::create_directories(to);
@@ -36,9 +46,8 @@ void move_entries(const fs::path& from, const fs::path& to) {
 
 void write_atomically(const std::filesystem::path& file,
                       const std::function<void(const std::filesystem::path&)>& write) {
-  std::filesystem::path temporary = file;
-  temporary += ".part";
   std::error_code error;
+  const fs::path temporary = place_beside(file, [&](const fs::path& place) { return !fs::exists(place, error); });
   try {
     write(temporary);
   } catch (...) {
@@ -73,10 +82,10 @@ void write_folder(const fs::path& folder, const std::function<void(const fs::pat
   };
   fs::path place = fs::absolute(folder).lexically_normal();
   if (!place.has_filename()) place = place.parent_path();  // it ended in a slash
-  const fs::path temporary = nearest_existing(place) / (place.filename().string() + ".part");
   std::error_code error;
-  fs::remove_all(temporary, error);  // left by a run that was killed
-  if (!error) fs::create_directory(temporary, error);
+  const fs::path temporary = place_beside(nearest_existing(place) / place.filename(), [&](const fs::path& beside) {
+    return !fs::exists(beside, error) && (fs::create_directory(beside, error) || error);
+  });
   if (error) refuse(error);
   struct Removal {
     const fs::path& path;

@@ -53,6 +53,21 @@ TEST(Files, AFolderKeepsWhatIsNotReplaced) {
   EXPECT_EQ(names_in(folder.path() / "frames"), std::set<std::string>{"0"});
 }
 
+TEST(Files, WhatStandsBesideIsNotTouched) {
+  const TemporaryFolder outer;
+  fs::create_directory(outer.path() / "out.part");
+  outer.write("out.part/thesis", "mine");
+  outer.write("page.part", "mine");
+  outer.write("page.part-2", "mine");
+  write_folder(outer.path() / "out", write_page_and_frame);
+  write_file(outer.path() / "page", std::string_view("new"));
+  EXPECT_EQ(content(outer.file("out.part/thesis")), "mine");
+  EXPECT_EQ(content(outer.file("page.part")), "mine");
+  EXPECT_EQ(content(outer.file("page.part-2")), "mine");
+  EXPECT_EQ(content(outer.file("page")), "new");
+  EXPECT_EQ(names_in(outer.path()), (std::set<std::string>{"out", "out.part", "page", "page.part", "page.part-2"}));
+}
+
 TEST(Files, AFolderIsLeftAloneWhenWritingFails) {
   const TemporaryFolder outer;
   const auto fail = [](const fs::path& folder) {

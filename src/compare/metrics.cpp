@@ -201,7 +201,7 @@ std::vector<uint8_t> facing_light(std::span<const SurfacePoint> points, const Li
   const LightRay ray(light);
   tbb::parallel_for(tbb::blocked_range<size_t>(0, points.size(), 16384), [&](const auto& range) {
     for (size_t i = range.begin(); i != range.end(); ++i)
-      facing[i] = points[i].valid() && ray.reaches(points[i].position, points[i].normal);
+      facing[i] = points[i].valid() && ray.reaches(points[i].position, points[i].normal, edge_on_cosine);
   });
   return facing;
 }

@@ -235,6 +235,20 @@ TEST(Metrics, FacingLight) {
   EXPECT_EQ(facing_light(points, light), (std::vector<uint8_t>{1, 0, 1, 0, 0}));
 }
 
+TEST(Metrics, EdgeOnSurfacesAreNotCompared) {
+  Light light = zenith();
+  light.direction = glm::normalize(glm::dvec3(1e-5, -1, 0));
+  const std::vector<SurfacePoint> wall = {{{0, 0, 0}, {-1, 0, 0}}};
+  EXPECT_EQ(facing_light(wall, light), std::vector<uint8_t>{0});
+  light.direction = glm::normalize(glm::dvec3(1e-3, -1, 0));
+  EXPECT_EQ(facing_light(wall, light), std::vector<uint8_t>{1});
+  light.kind = LightKind::point;
+  light.position = {-1e-5, 1, 0};
+  EXPECT_EQ(facing_light(wall, light), std::vector<uint8_t>{0});
+  light.position = {-1e-3, 1, 0};
+  EXPECT_EQ(facing_light(wall, light), std::vector<uint8_t>{1});
+}
+
 TEST(Metrics, ImagesOfOtherSizesAreRefused) {
   Picture picture({"..", ".."}, {"..", ".."});
   MetricsInput input = picture.input();

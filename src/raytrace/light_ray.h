@@ -25,10 +25,12 @@ class LightRay {
   }
   float length() const { return kind_ == LightKind::directional ? std::numeric_limits<float>::infinity() : 1.0f; }
 
-  /// True where the light would shine if nothing were in between: the surface faces it, inside a spot's cone.
-  bool reaches(const glm::vec3& position, const glm::vec3& normal) const {
+  /// True where the light would shine if nothing were in between: the surface faces it, by more than `least_cosine`,
+  /// inside a spot's cone.
+  bool reaches(const glm::vec3& position, const glm::vec3& normal, double least_cosine = 0) const {
     const glm::dvec3 to_light = towards(position);
-    if (!(glm::dot(glm::dvec3(normal), to_light) > 0)) return false;
+    const double least = least_cosine == 0 ? 0 : least_cosine * glm::length(to_light);
+    if (!(glm::dot(glm::dvec3(normal), to_light) > least)) return false;
     return kind_ != LightKind::spot || -glm::dot(to_light, axis_) >= cosine_outer_ * glm::length(to_light);
   }
 

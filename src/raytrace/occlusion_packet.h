@@ -3,7 +3,6 @@
 
 #include <embree3/rtcore.h>
 
-#include <cmath>
 #include <cstdint>
 #include <glm/glm.hpp>
 
@@ -12,12 +11,11 @@
 
 namespace shadewright {
 
-/// Lanes start inactive. A ray that is not finite stays inactive: Embree's traversal is undefined for one.
+/// Lanes start inactive. A ray that Embree does not take (see ray_scene.h) stays so.
 class OcclusionPacket {
  public:
   void set(uint32_t lane, const glm::vec3& origin, const glm::vec3& direction, float length) {
-    const float sum = origin.x + origin.y + origin.z + direction.x + direction.y + direction.z;
-    if (!std::isfinite(sum) || !(length > 0)) return;
+    if (!is_traceable(origin, direction) || !(length > 0)) return;
     rays_.org_x[lane] = origin.x;
     rays_.org_y[lane] = origin.y;
     rays_.org_z[lane] = origin.z;

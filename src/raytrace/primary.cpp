@@ -52,7 +52,7 @@ std::vector<PrimaryHit> primary(const RayScene& scene, const PixelGrid& grid, do
       packet.ray.flags[lane] = 0;
       packet.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
       packet.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
-      active[lane] = -1;
+      active[lane] = is_traceable(eye, direction) ? -1 : 0;
     }
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);

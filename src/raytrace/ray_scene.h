@@ -37,6 +37,12 @@ struct RayTriangles {
   }
 };
 
+/// Whether Embree traces such a ray: it wants numbers below 1.8e18.
+inline bool is_traceable(const glm::vec3& origin, const glm::vec3& direction) {
+  const glm::vec3 sum = glm::abs(origin) + glm::abs(direction);
+  return sum.x + sum.y + sum.z < 1e18f;  // not for what is not a number
+}
+
 class RayScene {
  public:
   /// Scenes of more triangles than this are instanced instead of flattened: 4 million take about 1 GB flattened.

@@ -1,6 +1,9 @@
 // What either reader finds in a file is made fit for drawing here.
 #include "scene/load_file.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fstream>
@@ -36,6 +39,23 @@ bool is_gltf(const std::string& path) {
          extension == ".GLTF" || extension == ".GLB";
 }
 
+/// Floats, and rays, have their limits: what lies within them is far beyond any scene in metres.
+void check_reach(const std::string& path, const Scene& scene) {
+  constexpr double farthest = 1e15;
+  const auto check = [&](const std::string& what, const glm::dvec3& place) {
+    const glm::dvec3 away = glm::abs(place);
+    const double reach = std::max({away.x, away.y, away.z});
+    if (!(reach < farthest))
+      throw InputError(path, fmt::format("{} reaches {:.2g} metres from zero, beyond {:g}", what, reach, farthest),
+                       "scale it down when you export it");
+  };
+  const Box box = bounds(scene);
+  check("it", box.min);
+  check("it", box.max);
+  for (const Camera& camera : scene.cameras) check("camera \"" + camera.name + "\"", camera.eye);
+  for (const Light& light : scene.lights) check("light \"" + light.name + "\"", light.position);
+}
+
 }  // namespace
 
 LoadedScene load_file(const std::string& source, const Progress& progress) {
@@ -58,6 +78,7 @@ LoadedScene load_file(const std::string& source, const Progress& progress) {
     loaded.warnings.push_back(std::to_string(dropped) + " triangles without an area were left out.");
   if (triangle_count(loaded.scene) == 0) throw InputError(path, "has no triangles", "give a scene with meshes");
   recentre(loaded.scene);
+  check_reach(path, loaded.scene);
   progress("load", 1.0);
   return loaded;
 }

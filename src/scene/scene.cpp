@@ -45,10 +45,22 @@ size_t triangle_count(const Scene& scene) {
   return count;
 }
 
+namespace {
+
+// Exactly 0 where they are: a wall along the light must not face it by what rounding leaves.
+double cosine(double degrees) {
+  return std::abs(std::remainder(degrees, 180)) == 90 ? 0 : std::cos(glm::radians(degrees));
+}
+double sine(double degrees) {
+  return std::remainder(degrees, 180) == 0 ? 0 : std::sin(glm::radians(degrees));
+}
+
+}  // namespace
+
 Light sun(double azimuth_degrees, double elevation_degrees) {
-  const double azimuth = glm::radians(azimuth_degrees), elevation = glm::radians(elevation_degrees);
-  const glm::dvec3 towards_sun(std::cos(elevation) * std::cos(azimuth), std::sin(elevation),
-                               std::cos(elevation) * std::sin(azimuth));
+  const double across = cosine(elevation_degrees);
+  const glm::dvec3 towards_sun(across * cosine(azimuth_degrees), sine(elevation_degrees),
+                               across * sine(azimuth_degrees));
   Light light;
   light.name = "sun";
   light.direction = -towards_sun;

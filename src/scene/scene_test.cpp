@@ -56,6 +56,9 @@ TEST(Sun, ShinesFromItsAzimuthAndElevation) {
   expect_near(sun(90, 0).direction, {0, 0, -1});
   expect_near(sun(12, 90).direction, {0, -1, 0});
   expect_near(sun(90, 45).direction, {0, -std::sqrt(0.5), -std::sqrt(0.5)});
+  for (const double quarter : {-90.0, 90.0, 270.0, 450.0}) EXPECT_EQ(sun(quarter, 30).direction.x, 0) << quarter;
+  for (const double half : {-180.0, 0.0, 180.0, 360.0}) EXPECT_EQ(sun(half, 30).direction.z, 0) << half;
+  EXPECT_EQ(sun(35, 90).direction, glm::dvec3(0, -1, 0));
 }
 
 TEST(Find, ListsWhatThereIs) {

@@ -31,7 +31,11 @@ constexpr bool lit(float visibility) {
   return visibility >= 0.5f;
 }
 
-/// 1 for points that are valid and whose normal faces the light (cosine > 0; inside the cone, for a spot).
+/// A surface with a smaller cosine to the light is edge-on to it: normals are known no better (octahedral, 16 bits),
+/// and whether it faces the light is a matter of rounding.
+inline constexpr double edge_on_cosine = 1e-4;
+
+/// 1 for points that are valid and whose normal faces the light (cosine > edge_on_cosine; inside the cone, for a spot).
 std::vector<uint8_t> facing_light(std::span<const SurfacePoint> points, const Light& light);
 
 /// The figures of section 6, `flicker` excepted (it needs two frames, see flicker.h). Ratios of nothing are 0.
