@@ -260,6 +260,8 @@ View load_view(const SceneFlags& flags, ProgressBar& bar, const Progress& progre
   view.path = flags.path;
   view.moments = choose_moments(flags, view.scene, view.light, view.notes);
   view.camera = view.moments.empty() ? choose_camera(flags, view.scene, view.notes) : view.moments.front().camera;
+  // Bakes must know what a camera stands in.
+  if (view.moments.empty() && flags.camera.empty()) view.scene.cameras.push_back(view.camera);
   if (spacing) {
     std::vector<PointView> seen;
     if (view.moments.empty()) seen.push_back(point_view(view.camera, view.height));

@@ -139,26 +139,20 @@ std::vector<glm::dmat4> node_transforms(const SceneGraph& graph, double time) {
   return result;
 }
 
-BakedMotion bake_motion(const SceneGraph& graph, uint32_t node) {
-  // Above and at the lowest animated node everything moves; below it, the transforms are constant.
-  std::optional<uint32_t> mover = node;
-  while (mover && !graph.nodes[*mover].is_animated()) mover = graph.nodes[*mover].parent;
+BakedMotion bake_motion(const SceneGraph& graph, uint32_t mover) {
   BakedMotion result;
-  result.rest_from_node = chain_transform(graph, node, 0.0);
-  if (!mover) return result;
-
   // world_from_mover(t) = rotation(t) * stretch + translation(t), with a constant stretch if the motion is rigid.
-  const std::vector<double> times = key_times(graph, *mover);
-  const glm::dmat3 first(chain_transform(graph, *mover, times.front()));
+  const std::vector<double> times = key_times(graph, mover);
+  const glm::dmat3 first(chain_transform(graph, mover, times.front()));
   const std::optional<glm::dmat3> first_rotation = rotation_of(first);
   if (!first_rotation) return result;  // flattened to nothing: there is no motion to see
   const glm::dmat3 stretch = glm::transpose(*first_rotation) * first;
   const glm::dmat3 unstretch = glm::inverse(stretch);
 
   Motion& motion = result.motion;
-  motion.name = graph.nodes[*mover].name;
+  motion.name = graph.nodes[mover].name;
   for (const double time : times) {
-    const glm::dmat4 world_from_mover = chain_transform(graph, *mover, time);
+    const glm::dmat4 world_from_mover = chain_transform(graph, mover, time);
     const glm::dmat3 turned = glm::dmat3(world_from_mover) * unstretch;
     result.is_rigid &= shear_of(turned) < 1e-3;
     const std::optional<glm::dmat3> rotation = rotation_of(turned);
@@ -172,10 +166,7 @@ BakedMotion bake_motion(const SceneGraph& graph, uint32_t node) {
     motion = {};
     return result;
   }
-  glm::dmat4 mover_from_node(1.0);
-  for (uint32_t i = node; i != *mover; i = *graph.nodes[i].parent)
-    mover_from_node = graph.nodes[i].parent_from_node * mover_from_node;
-  result.rest_from_node = glm::dmat4(stretch) * mover_from_node;
+  result.rest_from_mover = glm::dmat4(stretch);
   return result;
 }
 

@@ -57,11 +57,10 @@ class Instancer {
     Instance instance;
     instance.name = node.name;
     instance.world_from_mesh = world_from_node;
-    if (moves(node_index)) {
-      BakedMotion baked = bake_motion(graph_, node_index);
-      has_non_rigid_ |= !baked.is_rigid;
-      instance.world_from_mesh = baked.rest_from_node;
-      if (!baked.motion.times.empty()) instance.motion = share_motion(node_index, std::move(baked.motion));
+    if (const std::optional<uint32_t> mover = mover_of(node_index)) {
+      const Moved& moved = moved_by(*mover);
+      instance.motion = moved.motion;
+      if (moved.motion) instance.world_from_mesh = moved.rest_from_mover * mover_from_node(*mover, node_index);
     }
     if (!is_usable(instance.world_from_mesh)) {
       ++flat_instances_;
@@ -85,16 +84,35 @@ class Instancer {
     return mover;
   }
 
-  uint32_t share_motion(uint32_t node, Motion motion) {
-    const auto [entry, is_new] =
-        motion_of_mover_.try_emplace(*mover_of(node), static_cast<uint32_t>(scene_.motions.size()));
-    if (is_new) scene_.motions.push_back(std::move(motion));
+  /// What an animated node does to all that hangs below it.
+  struct Moved {
+    std::optional<uint32_t> motion;  ///< index into Scene::motions; none: it stands still
+    glm::dmat4 rest_from_mover{1.0};
+  };
+
+  /// Baked once, however much hangs below.
+  const Moved& moved_by(uint32_t mover) {
+    const auto [entry, is_new] = moved_.try_emplace(mover);
+    if (!is_new) return entry->second;
+    BakedMotion baked = bake_motion(graph_, mover);
+    has_non_rigid_ |= !baked.is_rigid;
+    entry->second.rest_from_mover = baked.rest_from_mover;
+    if (!baked.motion.times.empty()) {
+      entry->second.motion = static_cast<uint32_t>(scene_.motions.size());
+      scene_.motions.push_back(std::move(baked.motion));
+    }
     return entry->second;
+  }
+
+  glm::dmat4 mover_from_node(uint32_t mover, uint32_t node) const {
+    glm::dmat4 result(1.0);
+    for (uint32_t i = node; i != mover; i = *graph_.nodes[i].parent) result = graph_.nodes[i].parent_from_node * result;
+    return result;
   }
 
   const SceneGraph& graph_;
   Scene& scene_;
-  std::map<uint32_t, uint32_t> motion_of_mover_;
+  std::map<uint32_t, Moved> moved_;
   bool has_non_rigid_ = false;
   size_t flat_instances_ = 0;
 };

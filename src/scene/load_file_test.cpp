@@ -228,6 +228,72 @@ TEST(LoadFile, BakesChainsOfAnimatedNodes) {
   expect_near(glm::dvec3(half_way[0]), {0, 0, -1}, 1e-6);
 }
 
+TEST(LoadFile, PlaysOneAnimationOfANode) {
+  // A second clip turns another node, which is played too, and slides the first node, which is not.
+  json gltf = turning_gltf(false);
+  gltf["animations"].push_back(gltf["animations"][0]);
+  gltf["animations"][1]["channels"][0]["target"]["node"] = 1;
+  EXPECT_TRUE(load_json(gltf, turning_bytes()).warnings.empty());
+  gltf["accessors"].push_back({{"bufferView", 3}, {"componentType", 5126}, {"count", 2}, {"type", "VEC3"}});
+  gltf["animations"][1]["samplers"][0]["output"] = 4;
+  gltf["animations"][1]["channels"][0]["target"] = {{"node", 0}, {"path", "translation"}};
+  const LoadedScene loaded = load_json(gltf, turning_bytes());
+  EXPECT_EQ(loaded.warnings, std::vector<std::string>{"Only the first animation of each node is played."});
+  const Scene alone = load_json(turning_gltf(false), turning_bytes()).scene;
+  ASSERT_EQ(loaded.scene.motions.size(), 1u);
+  EXPECT_EQ(loaded.scene.motions[0].translations, alone.motions[0].translations);
+}
+
+TEST(LoadFile, MovesAllThatHangsBelowAMoverByOneMotion) {
+  json gltf = turning_gltf(false);
+  gltf["nodes"] = {{{"children", {1, 2}}, {"mesh", 0}},
+                   {{"mesh", 0}, {"translation", {5, 0, 0}}, {"children", {3}}},
+                   {{"mesh", 0}, {"translation", {0, 0, 2}}},
+                   {{"mesh", 0}, {"translation", {1, 0, 0}}}};
+  const Scene scene = load_json(gltf, turning_bytes()).scene;
+  ASSERT_EQ(scene.motions.size(), 1u);
+  ASSERT_EQ(scene.instances.size(), 4u);
+  // A quarter turn takes +X to -Z and +Z to +X.
+  const glm::dvec3 at_the_end[] = {{0, 0, 0}, {0, 0, -5}, {0, 0, -6}, {2, 0, 0}};
+  for (size_t i = 0; i < 4; ++i)
+    expect_near(glm::dvec3(transform_at(scene, scene.instances[i], 1)[3]), at_the_end[i], 1e-6);
+}
+
+TEST(LoadFile, ReadsSparseAccessors) {
+  // Two bytes of a sparse index, then of its value: the second corner's index becomes 0 and back again to 1.
+  std::string binary = triangle_bytes({0, 0, 0, 1, 0, 0, 0, 0, 1}, {0, 0, 2});
+  binary.resize(44, '\0');
+  binary += std::string("\1\0\1\0", 4);
+  json gltf = triangle_gltf();
+  gltf["buffers"][0]["byteLength"] = 48;
+  gltf["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", 44}, {"byteLength", 2}});
+  gltf["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", 46}, {"byteLength", 2}});
+  EXPECT_NE(error_of(gltf, binary).find("no triangles"), std::string::npos) << "a corner twice";
+  gltf["accessors"][1]["sparse"] = {
+      {"count", 1}, {"indices", {{"bufferView", 2}, {"componentType", 5123}}}, {"values", {{"bufferView", 3}}}};
+  EXPECT_EQ(triangle_count(load_json(gltf, binary).scene), 1u);
+  // Without a buffer view the elements that are not replaced are zeros.
+  gltf["accessors"][1].erase("bufferView");
+  EXPECT_NE(error_of(gltf, binary).find("no triangles"), std::string::npos) << "0, 1, 0";
+  gltf["accessors"][1]["count"] = 1'000'000'000;
+  EXPECT_NE(error_of(gltf, binary).find("more elements"), std::string::npos);
+}
+
+TEST(LoadFile, NamesTheExtensionThatItDoesNotRead) {
+  json gltf = triangle_gltf();
+  gltf["extensionsUsed"] = {"EXT_mesh_gpu_instancing"};
+  EXPECT_EQ(load_json(gltf).warnings.size(), 1u);
+  // As gltfpack writes them: a buffer without bytes stands for the uncompressed data.
+  gltf["extensionsRequired"] = {"EXT_meshopt_compression"};
+  gltf["buffers"].push_back({{"byteLength", 42}});
+  EXPECT_NE(error_of(gltf).find("EXT_meshopt_compression"), std::string::npos);
+}
+
+TEST(LoadFile, RefusesScenesBeyondWhatRaysReach) {
+  EXPECT_NE(error_of(triangle_gltf(), triangle_bytes({0, 0, 0, 5e18f, 0, 0, 0, 0, 5e18f})).find("metres from zero"),
+            std::string::npos);
+}
+
 TEST(LoadFile, WarnsOfAnimatedScale) {
   json gltf = turning_gltf(false);
   gltf["animations"][0]["channels"][0]["target"]["path"] = "scale";

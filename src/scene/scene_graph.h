@@ -67,17 +67,17 @@ std::vector<glm::dmat4> node_transforms(const SceneGraph& graph, double time);
 /// The rotation of `matrix`'s linear part by orthonormalising its columns in order; nothing when they are dependent.
 std::optional<glm::dmat3> rotation_of(const glm::dmat3& matrix);
 
-/// The motion of a node under animated ancestors, as a rigid part and a constant rest: for each time,
-/// world_from_node = pose(motion, time) * rest_from_node.
+/// The motion of an animated node, under ancestors that may be, as a rigid part and a constant rest: for each time,
+/// world_from_mover = pose(motion, time) * rest_from_mover.
 struct BakedMotion {
-  Motion motion;  ///< empty when the node turns out to stand still; `rest_from_node` then is world_from_node
-  glm::dmat4 rest_from_node{1.0};
+  Motion motion;  ///< empty when the node turns out to stand still
+  glm::dmat4 rest_from_mover{1.0};
   bool is_rigid = true;  ///< false: the file also scales or shears over time, which was left out
 };
 
-/// Bakes the chain of `node`'s ancestors at the union of their key times, subdivided to 1/30 s where the chain does not
-/// interpolate as a Motion does (more than one of them animated, or steps or splines).
-BakedMotion bake_motion(const SceneGraph& graph, uint32_t node);
+/// Bakes the chain of the animated node `mover` and its ancestors at the union of their key times, subdivided to 1/30 s
+/// where the chain does not interpolate as a Motion does (more than one of them animated, or steps or splines).
+BakedMotion bake_motion(const SceneGraph& graph, uint32_t mover);
 
 /// The scene of all nodes at time 0, with motions baked. Adds a warning for each kind of thing that a Scene cannot say.
 Scene flatten(SceneGraph graph, std::vector<std::string>& warnings);

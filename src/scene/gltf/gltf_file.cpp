@@ -18,6 +18,8 @@ static_assert(std::endian::native == std::endian::little, "glTF's buffers are re
 constexpr uint32_t glb_magic = 0x46546C67, chunk_json = 0x4E4F534A, chunk_bin = 0x004E4942;
 // Sizes are checked against this first, so that products of two of them cannot overflow.
 constexpr size_t largest_size = size_t{1} << 40;
+// No bytes of the file stand behind the elements of an accessor that has only a sparse part.
+constexpr size_t most_zeros = 100'000'000;
 
 uint32_t word_at(const std::vector<std::byte>& bytes, size_t offset) {
   uint32_t value;
@@ -213,6 +215,19 @@ void GltfFile::read_json(const std::byte* first, size_t size) {
   if (!version || !version->is_string()) throw error("is not a glTF scene: it has no asset version");
   if (!version->get<std::string>().starts_with("2"))
     throw error("is glTF version " + version->get<std::string>(), "convert it to glTF 2.0");
+  check_extensions();  // before buffers, which some extensions leave out
+}
+
+void GltfFile::check_extensions() const {
+  const json* required = find_member(json_, "extensionsRequired");
+  if (!required) return;
+  for (const json& entry : *required) {
+    const auto name = entry.get<std::string>();
+    const bool is_fine = name == "KHR_lights_punctual" || name == "KHR_mesh_quantization" ||
+                         name.find("_materials_") != std::string::npos || name.find("texture") != std::string::npos;
+    if (!is_fine)
+      throw error("requires the glTF extension " + name + ", which is not read", "export it without that extension");
+  }
 }
 
 std::vector<std::byte> GltfFile::read_uri(const std::string& uri) const {
@@ -288,9 +303,14 @@ GltfFile::Range GltfFile::range(size_t index, size_t components) const {
   if (component_size(known_type) == 0 || components_of(accessor.at("type").get<std::string>()) != components)
     throw error(who + " has an unexpected type");
   const std::optional<size_t> view = find_size(accessor, "bufferView");
-  if (!view) throw error(who + " has no buffer view", "export the file again without compression");
-  Range result = range_in_view(*view, find_size(accessor, "byteOffset").value_or(0), get_size(accessor, "count"),
-                               components, known_type, who);
+  const size_t count = get_size(accessor, "count");
+  Range result{nullptr, count, 0, components, known_type, false};
+  if (view)
+    result = range_in_view(*view, find_size(accessor, "byteOffset").value_or(0), count, components, known_type, who);
+  else if (!find_member(accessor, "sparse"))
+    throw error(who + " has no buffer view", "export the file again without compression");
+  else if (count > most_zeros)
+    throw error(who + " has more elements than a scene can have");
   const json* normalized = find_member(accessor, "normalized");
   result.normalized = normalized && normalized->get<bool>();
   return result;
@@ -303,21 +323,21 @@ size_t GltfFile::element_count(size_t accessor) const {
 std::vector<double> GltfFile::numbers(size_t accessor, size_t components) const {
   const Range r = range(accessor, components);
   const size_t component_bytes = component_size(r.component_type);
-  std::vector<double> values;
-  values.reserve(r.count * components);
-  for (size_t i = 0; i < r.count; ++i)
+  std::vector<double> values(r.count * components, 0.0);
+  for (size_t i = 0; r.first && i < r.count; ++i)
     for (size_t c = 0; c < components; ++c)
-      values.push_back(decode_component(r.first + i * r.stride + c * component_bytes, r.component_type, r.normalized));
-  apply_sparse(accessor, components, values);
+      values[i * components + c] =
+          decode_component(r.first + i * r.stride + c * component_bytes, r.component_type, r.normalized);
+  apply_sparse(accessor, r, values);
   return values;
 }
 
-void GltfFile::apply_sparse(size_t accessor, size_t components, std::vector<double>& values) const {
+template <typename Value>
+void GltfFile::apply_sparse(size_t accessor, const Range& base, std::vector<Value>& values) const {
   const json* sparse = find_member(item("accessors", accessor), "sparse");
   if (!sparse) return;
   const std::string who = "the sparse part of accessor " + std::to_string(accessor);
-  const size_t count = get_size(*sparse, "count");
-  const Range base = range(accessor, components);
+  const size_t count = get_size(*sparse, "count"), components = base.components;
   const auto part = [&](const char* key, size_t part_components, int component_type) {
     const json& object = sparse->at(key);
     return range_in_view(get_size(object, "bufferView"), find_size(object, "byteOffset").value_or(0), count,
@@ -331,20 +351,21 @@ void GltfFile::apply_sparse(size_t accessor, size_t components, std::vector<doub
     const auto element = static_cast<size_t>(decode_component(at.first + i * at.stride, at.component_type, false));
     if (element >= base.count) throw error(who + " has an index out of range");
     for (size_t c = 0; c < components; ++c)
-      values[element * components + c] =
+      values[element * components + c] = static_cast<Value>(
           decode_component(replacement.first + i * replacement.stride + c * component_size(base.component_type),
-                           base.component_type, base.normalized);
+                           base.component_type, base.normalized));
   }
 }
 
 std::vector<uint32_t> GltfFile::indices(size_t accessor) const {
-  const Range r = range(accessor, 1);
+  Range r = range(accessor, 1);
+  r.normalized = false;
   if (r.component_type != 5121 && r.component_type != 5123 && r.component_type != 5125)
     throw error("accessor " + std::to_string(accessor) + " holds indices that are not unsigned integers");
-  std::vector<uint32_t> values;
-  values.reserve(r.count);
-  for (size_t i = 0; i < r.count; ++i)
-    values.push_back(static_cast<uint32_t>(decode_component(r.first + i * r.stride, r.component_type, false)));
+  std::vector<uint32_t> values(r.count, 0);
+  for (size_t i = 0; r.first && i < r.count; ++i)
+    values[i] = static_cast<uint32_t>(decode_component(r.first + i * r.stride, r.component_type, false));
+  apply_sparse(accessor, r, values);
   return values;
 }
 

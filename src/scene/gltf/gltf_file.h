@@ -42,7 +42,7 @@ class GltfFile {
   }
 
  private:
-  /// Where an accessor's elements are; the whole range is inside the buffer.
+  /// Where an accessor's elements are; the whole range is inside the buffer. Without `first` they are zeros.
   struct Range {
     const std::byte* first = nullptr;
     size_t count = 0, stride = 0, components = 0;
@@ -57,7 +57,11 @@ class GltfFile {
   Range range_in_view(size_t view, size_t byte_offset, size_t count, size_t components, int component_type,
                       const std::string& who) const;
   Range range(size_t accessor, size_t components) const;
-  void apply_sparse(size_t accessor, size_t components, std::vector<double>& values) const;
+  /// Replaces the elements that the accessor's sparse part names.
+  template <typename Value>
+  void apply_sparse(size_t accessor, const Range& base, std::vector<Value>& values) const;
+  /// Extensions that a file requires are refused unless they only touch looks, or are read.
+  void check_extensions() const;
 
   std::string path_;
   nlohmann::json json_;

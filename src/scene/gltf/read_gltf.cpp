@@ -51,7 +51,6 @@ class Reader {
       : file_(file), progress_(progress), warnings_(warnings), meshes_(file) {}
 
   SceneGraph read() {
-    check_extensions();
     const json* chosen = chosen_scene();
     if (chosen) graph_.name = name_of(*chosen);
     add_nodes(root_nodes(chosen));
@@ -62,20 +61,6 @@ class Reader {
   }
 
  private:
-  /// Extensions that a file requires are refused unless they only touch looks, or are read here.
-  void check_extensions() const {
-    const json* required = find_member(file_.root(), "extensionsRequired");
-    if (!required) return;
-    for (const json& entry : *required) {
-      const auto name = entry.get<std::string>();
-      const bool is_fine = name == "KHR_lights_punctual" || name == "KHR_mesh_quantization" ||
-                           name.find("_materials_") != std::string::npos || name.find("texture") != std::string::npos;
-      if (!is_fine)
-        throw file_.error("requires the glTF extension " + name + ", which is not read",
-                          "export it without that extension");
-    }
-  }
-
   const json* chosen_scene() const {
     if (file_.count("scenes") == 0) return nullptr;
     return &file_.item("scenes", find_size(file_.root(), "scene").value_or(0));
@@ -230,6 +215,11 @@ class Reader {
         const auto node = find_size(target, "node");
         const auto found = node ? graph_index_.find(*node) : graph_index_.end();
         if (found == graph_index_.end()) continue;
+        // Exporters write a clip for each moving thing, or several for one: of those the first is played.
+        if (const auto playing = animation_of_.try_emplace(found->second, i).first; playing->second != i) {
+          has_more_animations_ = true;
+          continue;
+        }
         read_channel(graph_.nodes[found->second], target.at("path").get<std::string>(),
                      samplers.at(get_size(channel, "sampler")));
       }
@@ -249,10 +239,7 @@ class Reader {
 
   template <typename Value, typename Make>
   void read_track(Track<Value>& track, const json& sampler, size_t components, const Make& make) {
-    if (!track.times.empty()) {
-      has_more_animations_ = true;
-      return;
-    }
+    if (!track.times.empty()) return;  // a second channel of the same property
     Track<Value> result;
     if (const json* interpolation = find_member(sampler, "interpolation")) {
       const auto name = interpolation->get<std::string>();
@@ -287,6 +274,9 @@ class Reader {
 
   void add_warnings() {
     meshes_.add_warnings(warnings_);
+    if (const json* used = find_member(file_.root(), "extensionsUsed"); used && used->is_array())
+      if (std::ranges::find(*used, json("EXT_mesh_gpu_instancing")) != used->end())
+        warnings_.push_back("Instances by EXT_mesh_gpu_instancing are not read: each of their meshes is drawn once.");
     if (has_skins_) warnings_.push_back("Skinned meshes are drawn in the pose that they were modelled in.");
     if (has_morphs_) warnings_.push_back("Morph targets are not played.");
     if (has_orthographic_) warnings_.push_back("Orthographic cameras were left out.");
@@ -299,6 +289,7 @@ class Reader {
   GltfMeshes meshes_;
   SceneGraph graph_;
   std::map<size_t, uint32_t> graph_index_;
+  std::map<uint32_t, size_t> animation_of_;  ///< which one moves a node of the graph
   int camera_count_ = 0, light_count_ = 0;
   bool has_skins_ = false, has_morphs_ = false, has_orthographic_ = false, has_more_animations_ = false;
 };

@@ -55,7 +55,14 @@ void check_light_of_file(const voxel::LightGrid& baked, const Light& light, cons
   const bool turned = glm::length(direction - baked_direction) > 1e-4;
   const double scale = baked.kind == LightKind::spot ? baked.far : 1;
   const bool moved = baked.kind == LightKind::spot && glm::length(light.position - baked.position()) > 1e-4 * scale;
-  if (baked.kind == light.kind && !turned && !moved) return;
+  if (baked.kind == light.kind && !turned && !moved) {
+    const double tangent = 0.5 * baked.size() * std::max(baked.texel_size.x, baked.texel_size.y);
+    if (baked.kind != LightKind::spot || tangent >= std::tan(light.outer_angle) * (1 - 1e-6)) return;
+    throw InputError(file,
+                     fmt::format("it holds a cone of {:.4g} degrees to each side, the scene's light has {:.4g}",
+                                 glm::degrees(std::atan(tangent)), glm::degrees(light.outer_angle)),
+                     "bake the scene's light");
+  }
   throw InputError(file,
                    fmt::format("it holds the shadow of {}, but the scene's is {}",
                                light_text(baked.kind, baked_direction,
