@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "shadewright/gpu/pass.h"
@@ -21,6 +22,14 @@ class LookupSets {
   LookupSets() = default;
   /// `count` sets for the shaders of any stage.
   LookupSets(const gpu::Device& device, std::span<const Part> parts, uint32_t count);
+  LookupSets(LookupSets&&) noexcept = default;
+  /// What was here before goes as it does in the destructor: the sets before their pool.
+  LookupSets& operator=(LookupSets&& other) noexcept {
+    std::swap(layout_, other.layout_);
+    std::swap(pool_, other.pool_);
+    std::swap(sets_, other.sets_);
+    return *this;
+  }
 
   vk::DescriptorSetLayout layout() const { return *layout_; }
   vk::DescriptorSet set(uint32_t slot) const { return *sets_[slot]; }

@@ -251,6 +251,32 @@ TEST_F(PrecomputedTest, ABodyMovesThroughALandscape) {
   EXPECT_LT(10 * wrong_pixels(stage, scene, "cpvs@16384,dynamic=(csm@2048)"), without);
 }
 
+TEST_F(PrecomputedTest, BakesAnewForAnotherSun) {
+  const Scene scene = make_builtin("spheres");
+  Stage stage(device(), scene, scene.cameras.front(), sun(150, 48));
+  const auto technique = stage.make("cpvs@256");
+  const auto first = stage.look_up(*technique);
+  stage.frame().light = sun(60, 48);
+  EXPECT_EQ(stage.look_up(*technique), stage.look_up(*stage.make("cpvs@256")));
+  EXPECT_NE(stage.look_up(*technique), first);
+}
+
+TEST_F(PrecomputedTest, RefusesFilesOfANarrowerCone) {
+  Scene scene = make_builtin("chess");
+  Light& light = scene.lights.front();
+  ASSERT_EQ(light.kind, LightKind::spot);
+  const std::string file = testing::TempDir() + "precomputed_cone_test.cpvs";
+  voxel::BakeOptions options;
+  options.resolution = 64;
+  voxel::save(voxel::bake(scene, light, options).shadow, file);
+  EXPECT_NO_THROW(check(parse_spec("cpvs,file=" + file), scene, light));
+  light.outer_angle *= 1.1;
+  EXPECT_THROW(check(parse_spec("cpvs,file=" + file), scene, light), InputError);
+  light.outer_angle *= 0.5;
+  EXPECT_NO_THROW(check(parse_spec("cpvs,file=" + file), scene, light)) << "the baked one holds it";
+  std::remove(file.c_str());
+}
+
 TEST_F(PrecomputedTest, RefusesFilesOfAnotherLight) {
   const Scene scene = make_builtin("spheres");
   const std::string file = testing::TempDir() + "precomputed_test.cpvs";
