@@ -49,6 +49,7 @@ void show(const Flags& flags, std::span<const shadow::Spec> specs) {
                 {flags.scene.scene,
                  view.camera,
                  view.light,
+                 flags.scene.fov ? std::optional(glm::radians(*flags.scene.fov)) : std::nullopt,
                  view.path,
                  {specs.begin(), specs.end()},
                  flags.scene.debug.empty() ? "" : flags.scene.debug.front()});

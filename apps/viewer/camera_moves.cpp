@@ -15,15 +15,19 @@ glm::dvec3 direction(double azimuth, double elevation) {
   return {std::cos(elevation) * std::cos(azimuth), std::sin(elevation), std::cos(elevation) * std::sin(azimuth)};
 }
 
+/// The level direction in which a camera looks. Where it looks straight up or down its upper edge tells, if it can.
+glm::dvec3 ahead(const Camera& camera) {
+  const glm::dvec3 sight = glm::normalize(camera.target - camera.eye), level(sight.x, 0, sight.z);
+  if (glm::length(level) > 1e-6) return glm::normalize(level);
+  const glm::dvec3 edge = (sight.y > 0 ? -1.0 : 1.0) * glm::dvec3(camera.up.x, 0, camera.up.z);
+  return glm::length(edge) > 1e-6 ? glm::normalize(edge) : glm::dvec3(0, 0, -1);
+}
+
 /// From the eye to what it looks at, turned.
 glm::dvec3 turned_sight(const Camera& camera, double yaw, double pitch) {
-  const glm::dvec3 sight = camera.target - camera.eye;
+  const glm::dvec3 sight = camera.target - camera.eye, level = ahead(camera);
   const double distance = glm::length(sight);
-  // Where a camera looks straight up or down, its upper edge tells the azimuth.
-  glm::dvec3 ahead(sight.x, 0, sight.z);
-  if (glm::length(ahead) < 1e-6 * distance)
-    ahead = (sight.y > 0 ? -1.0 : 1.0) * glm::dvec3(camera.up.x, 0, camera.up.z);
-  const double azimuth = std::atan2(ahead.z, ahead.x);
+  const double azimuth = std::atan2(level.z, level.x);
   const double elevation = std::asin(std::clamp(sight.y / distance, -1.0, 1.0));
   return distance * direction(azimuth + yaw, std::clamp(elevation + pitch, -steepest, steepest));
 }
@@ -46,7 +50,7 @@ Camera circled(const Camera& camera, double yaw, double pitch) {
 
 Camera moved(const Camera& camera, const glm::dvec3& right_up_forward) {
   const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
-  const glm::dvec3 right = glm::normalize(glm::cross(forward, camera.up));
+  const glm::dvec3 right = glm::cross(ahead(camera), glm::dvec3(0, 1, 0));
   const glm::dvec3 step =
       right_up_forward.x * right + right_up_forward.y * glm::dvec3(0, 1, 0) + right_up_forward.z * forward;
   Camera result = camera;
@@ -55,9 +59,10 @@ Camera moved(const Camera& camera, const glm::dvec3& right_up_forward) {
   return result;
 }
 
-Camera approached(const Camera& camera, double factor) {
+Camera approached(const Camera& camera, double factor, double least, double most) {
+  const double distance = glm::distance(camera.eye, camera.target);
   Camera result = camera;
-  result.eye = camera.target + factor * (camera.eye - camera.target);
+  result.eye = camera.target + std::clamp(factor * distance, least, most) / distance * (camera.eye - camera.target);
   return result;
 }
 

@@ -12,10 +12,10 @@ Camera turned(const Camera& camera, double yaw, double pitch);
 /// The same turn about what it looks at: the eye moves, to the left for a turn to the right.
 Camera circled(const Camera& camera, double yaw, double pitch);
 
-/// `camera` moved along its own axes: right, up (the world's) and forward, metres.
+/// `camera` moved to its right (level), up (the world's +Y) and forward, metres.
 Camera moved(const Camera& camera, const glm::dvec3& right_up_forward);
 
-/// The eye at `factor` times its distance from what it looks at.
-Camera approached(const Camera& camera, double factor);
+/// The eye at `factor` times its distance from what it looks at, which stays from `least` to `most` metres.
+Camera approached(const Camera& camera, double factor, double least, double most);
 
 }  // namespace shadewright::viewer

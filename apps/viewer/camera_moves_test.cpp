@@ -52,7 +52,19 @@ TEST(CameraMoves, MovesAlongItsOwnAxesWithWhatItLooksAt) {
   const Camera camera = moved(ahead(), {1, 2, 3});
   expect_near(camera.eye, {2, 4, 0});
   expect_near(camera.target, {2, 4, -10});
-  expect_near(approached(ahead(), 0.5).eye, {1, 2, -2});
+  expect_near(approached(ahead(), 0.5, 1, 100).eye, {1, 2, -2});
+  expect_near(approached(ahead(), 0.01, 1, 100).eye, {1, 2, -6});
+  expect_near(approached(ahead(), 30, 1, 100).eye, {1, 2, 93});
+}
+
+TEST(CameraMoves, WalkWhileLookingStraightDown) {
+  Camera down;
+  down.eye = {0, 10, 0};
+  down.target = {0, 0, 0};  // and +Y up, which does not tell where right is
+  const Camera camera = moved(down, {1, 0, 2});
+  EXPECT_NEAR(camera.eye.y, 8, 1e-9);
+  EXPECT_NEAR(glm::length(glm::dvec2(camera.eye.x, camera.eye.z)), 1, 1e-9);
+  EXPECT_TRUE(std::isfinite(turned(camera, 0.1, 0.1).target.x));
 }
 
 }  // namespace

@@ -1,8 +1,12 @@
 #include "canvas.h"
 
+#include <algorithm>
 #include <cstring>
 #include <functional>
+#include <new>
 #include <numeric>
+
+#include "baker.h"
 
 #include "compare/difference.h"
 #include "compose.h"
@@ -40,10 +44,6 @@ bool same_view(const Moment& a, const Moment& b) {
          c.near == d.near;
 }
 
-bool same_light(const Light& a, const Light& b) {
-  return a.kind == b.kind && a.position == b.position && a.direction == b.direction && a.outer_angle == b.outer_angle;
-}
-
 /// What `work` could not do, one sentence; empty if it could. The other side goes on.
 std::string problem_of(const std::function<void()>& work) {
   try {
@@ -55,6 +55,8 @@ std::string problem_of(const std::function<void()>& work) {
     return std::string("the device can't do this: ") + error.what();
   } catch (const Error& error) {
     return error.what();
+  } catch (const std::bad_alloc&) {
+    return "out of memory; use a lower resolution";
   }
 }
 
@@ -65,9 +67,10 @@ double total(std::span<const gpu::StageTime> stages) {
 
 }  // namespace
 
-Canvas::Canvas(const gpu::Device& device, const Scene& scene)
+Canvas::Canvas(const gpu::Device& device, const Scene& scene, shadow::BakeShadow bake)
     : device_(device),
       scene_(scene),
+      bake_(std::move(bake)),
       scene_gpu_(device, scene, 0, 1),
       sampler_(gpu::make_sampler(device, vk::Filter::eNearest)),
       camera_(device, "viewer camera", sizeof(shadewright::shared::CameraData), gpu::HostAccess::write) {
@@ -99,28 +102,31 @@ void Canvas::resize(uint32_t width, uint32_t height) {
   for (Side& side : sides_) make_technique(side);
 }
 
-void Canvas::set_technique(size_t side, const std::optional<shadow::Spec>& spec, const Progress& progress) {
+void Canvas::set_technique(size_t side, const std::optional<shadow::Spec>& spec) {
   sides_[side].spec = spec;
-  sides_[side].progress = progress;
   make_technique(sides_[side]);
 }
 
 void Canvas::make_technique(Side& side) {
   composed_.reset();
   side.technique.reset();
+  side.checked.reset();
   side.answered = false;
+  side.frames = 0;
   side.figures = {};
   if (!side.spec || side.is_truth() || !image_) return;
   const vk::Extent2D size = image_.extent();
   side.figures.problem = problem_of([&] {
     side.technique =
-        shadow::make_technique(device_, *side.spec, {size.width, size.height, 1, true, &scene_, side.progress});
+        shadow::make_technique(device_, *side.spec, {size.width, size.height, 1, true, &scene_, no_progress, bake_});
   });
 }
 
 bool Canvas::draw(const Moment& moment, const Look& look) {
   const bool moves = !drawn_ || !same_view(*drawn_, moment);
-  if (moves || !same_light(drawn_->light, moment.light)) {
+  const bool new_light = !drawn_ || !same_light(drawn_->light, moment.light);
+  if (new_light) lamp_distance_ = render::lamp_distance(moment.light, moment.camera);
+  if (moves || new_light) {
     traced_ = false;
     composed_.reset();
     for (Side& side : sides_) side.answered = false;
@@ -136,6 +142,18 @@ bool Canvas::draw(const Moment& moment, const Look& look) {
   compose(look);
   composed_ = look;
   return true;
+}
+
+bool Canvas::has_cold_figures() const {
+  return std::ranges::any_of(sides_, [](const Side& side) { return side.frames == 1; });
+}
+
+void Canvas::forget_cold_figures() {
+  for (Side& side : sides_) {
+    if (side.frames != 1) continue;
+    side.answered = false;
+    composed_.reset();
+  }
 }
 
 void Canvas::draw_camera(const Moment& moment) {
@@ -163,9 +181,12 @@ void Canvas::answer(Side& side) {
   side.figures.error.reset();
   if (side.is_truth()) {
     side.figures.stages = {{"shadow rays", truth_->milliseconds()}};
+    side.figures.milliseconds = truth_->milliseconds();
     return;
   }
-  if (!side.technique) return;
+  const bool checked = side.checked && same_light(*side.checked, drawn_->light);
+  if (!side.technique || (checked && !side.figures.problem.empty())) return;
+  side.checked = drawn_->light;
   shadow::Frame frame;
   frame.scene = &scene_gpu_;
   frame.camera = view_;
@@ -174,11 +195,13 @@ void Canvas::answer(Side& side) {
   frame.light = drawn_->light;
   SideFigures figures;
   figures.problem = problem_of([&] {
-    shadow::check(*side.spec, scene_, drawn_->light);
+    if (!checked) shadow::check(*side.spec, scene_, drawn_->light);
     gpu::Recorder recorder(device_);
     side.technique->prepare(frame, recorder);
     side.technique->record(frame, recorder);
     figures.stages = recorder.finish();
+    figures.milliseconds = total(figures.stages);
+    ++side.frames;
     for (const Allocation& allocation : side.technique->allocations()) figures.bytes += allocation.bytes;
   });
   side.figures = figures;
@@ -204,7 +227,7 @@ void Canvas::compose(const Look& look) {
   const bool sun = light.kind == LightKind::directional;
   shared::ComposeConstants constants;
   constants.light = sun ? glm::vec4(-glm::vec3(light.direction), 0.0f) : glm::vec4(glm::vec3(light.position), 1.0f);
-  constants.lamp_distance = render::lamp_distance(light, drawn_->camera);
+  constants.lamp_distance = static_cast<float>(lamp_distance_);
   constants.divider = static_cast<float>(look.divider * image_.desc().width);
   constants.show = shown(look.show);
   constants.answered = 0;

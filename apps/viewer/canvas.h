@@ -12,7 +12,7 @@
 #include "shadewright/compare/report.h"
 #include "shadewright/gpu/pass.h"
 #include "shadewright/image/picture.h"
-#include "shadewright/progress.h"
+
 #include "shadewright/render/camera_pass.h"
 #include "shadewright/render/scene_gpu.h"
 #include "shadewright/scene/moments.h"
@@ -37,22 +37,27 @@ inline constexpr size_t left = 0, right = 1;
 struct SideFigures {
   std::string problem;  ///< why there is no answer, one sentence; empty = there is one
   std::vector<gpu::StageTime> stages;
+  double milliseconds = 0;  ///< of all of them
   uint64_t bytes = 0;
   std::optional<compare::ErrorFigures> error;  ///< while wrong pixels are shown
 };
 
 class Canvas {
  public:
-  /// `scene` outlives the canvas.
-  Canvas(const gpu::Device& device, const Scene& scene);
+  /// `scene` outlives the canvas. `bake` bakes what techniques ask for (null: voxel::bake).
+  Canvas(const gpu::Device& device, const Scene& scene, shadow::BakeShadow bake = {});
 
   /// Makes everything that has the picture's size anew, the techniques included. The picture is empty until `draw`.
   void resize(uint32_t width, uint32_t height);
-  /// Which technique answers on `side`; none: nobody. What it bakes when next drawn tells `progress`.
-  void set_technique(size_t side, const std::optional<shadow::Spec>& spec, const Progress& progress);
+  /// Which technique answers on `side`; none: nobody.
+  void set_technique(size_t side, const std::optional<shadow::Spec>& spec);
   /// Draws the moment; what has not changed since the last call (the camera's pass, a side's answer, the truth, all)
   /// stays as it is. True if anything was drawn.
   bool draw(const Moment& moment, const Look& look);
+  /// Whether a side's figures are of its technique's first frame, which compiles shaders.
+  bool has_cold_figures() const;
+  /// Lets the next `draw` take those again.
+  void forget_cold_figures();
 
   /// RGBA8, sRGB, in transfer-source layout.
   gpu::Image& image() { return image_; }
@@ -68,10 +73,11 @@ class Canvas {
   /// One technique, or the truth in its place (`ray`), or nobody.
   struct Side {
     std::optional<shadow::Spec> spec;
-    Progress progress = no_progress;
     std::unique_ptr<shadow::Technique> technique;
+    std::optional<Light> checked;  ///< the light that the technique is known to serve, or not to (figures.problem)
     SideFigures figures;
     bool answered = false;  ///< for what is drawn
+    int frames = 0;         ///< that the technique has drawn
 
     bool is_truth() const { return spec && spec->parameterization == "ray"; }
   };
@@ -86,6 +92,7 @@ class Canvas {
 
   const gpu::Device& device_;
   const Scene& scene_;
+  shadow::BakeShadow bake_;
   render::SceneGpu scene_gpu_;
   gpu::GraphicsPass compose_;
   vk::raii::Sampler sampler_;
@@ -99,6 +106,7 @@ class Canvas {
   std::optional<Look> composed_;  ///< how the picture shows it; none: it is not what it should be
   bool traced_ = false;           ///< the truth is of that
   render::CameraView view_;
+  double lamp_distance_ = 0;  ///< see render::lamp_distance: of the camera that the light was first seen by
   double camera_milliseconds_ = 0;
 };
 

@@ -9,6 +9,7 @@
 #include "gpu/device_for_test.h"
 #include "shadewright/compare/study.h"
 #include "shadewright/scene/load.h"
+#include "shadewright/voxel/bake.h"
 
 namespace shadewright::viewer {
 namespace {
@@ -21,9 +22,7 @@ class CanvasTest : public gpu::DeviceTest {
     canvas_.resize(width, height);
     moment_ = {0, find_camera(scene_, "main"), scene_.lights.front()};
   }
-  void choose(size_t side, const std::string& spec) {
-    canvas_.set_technique(side, shadow::parse_spec(spec), no_progress);
-  }
+  void choose(size_t side, const std::string& spec) { canvas_.set_technique(side, shadow::parse_spec(spec)); }
   Picture shown(const Look& look) {
     EXPECT_TRUE(canvas_.draw(moment_, look));
     return canvas_.picture();
@@ -97,6 +96,38 @@ TEST_F(CanvasTest, DrawsAnewOnlyWhatHasChanged) {
   const Picture other_sun = shown({Show::visibility, 1});
   moment_.time = 4;
   EXPECT_NE(shown({Show::visibility, 1}).pixels, other_sun.pixels);
+}
+
+TEST_F(CanvasTest, TakesTheFiguresOfAWarmFrame) {
+  choose(left, "sm@128");
+  EXPECT_TRUE(canvas_.draw(moment_, {}));
+  EXPECT_TRUE(canvas_.has_cold_figures());
+  const Picture cold = canvas_.picture();
+  canvas_.forget_cold_figures();
+  EXPECT_TRUE(canvas_.draw(moment_, {}));
+  EXPECT_FALSE(canvas_.has_cold_figures());
+  EXPECT_EQ(canvas_.picture().pixels, cold.pixels);
+  canvas_.forget_cold_figures();
+  EXPECT_FALSE(canvas_.draw(moment_, {}));
+}
+
+TEST_F(CanvasTest, BakesByTheBakerThatItIsGiven) {
+  int bakes = 0;
+  Canvas canvas(device(), scene_,
+                [&](const Scene& scene, const Light& light, const voxel::BakeOptions& options, const Progress&) {
+                  ++bakes;
+                  return voxel::bake(scene, light, options).shadow;
+                });
+  canvas.resize(width, height);
+  canvas.set_technique(left, shadow::parse_spec("cpvs@64"));
+  canvas.draw(moment_, {});
+  moment_.camera.eye.y += 1;
+  canvas.draw(moment_, {});
+  EXPECT_EQ(bakes, 1);
+  moment_.light = sun(100, 50);
+  canvas.draw(moment_, {});
+  EXPECT_EQ(bakes, 2);
+  EXPECT_EQ(canvas.figures(left).problem, "");
 }
 
 TEST_F(CanvasTest, OneSidesProblemIsNotTheOthers) {

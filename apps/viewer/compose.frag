@@ -20,6 +20,8 @@ layout(location = 0) out vec4 color;
 
 vec3 display(vec3 radiance) { return vec3(displayed(radiance.r), displayed(radiance.g), displayed(radiance.b)); }
 
+vec3 grey(vec3 picture) { return vec3(0.25 + 0.5 * dot(picture, vec3(0.2126, 0.7152, 0.0722))); }
+
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   bool right = gl_FragCoord.x > compose.divider;
@@ -28,7 +30,10 @@ void main() {
   float visibility = right ? texelFetch(right_image, pixel, 0).r : texelFetch(left_image, pixel, 0).r;
   if (!answered) visibility = 1.0;
   if (depth == camera.background_depth) {
-    color = vec4(compose.show == show_visibility ? vec3(visibility) : display(background_radiance()), 1.0);
+    vec3 sky = display(background_radiance());
+    if (compose.show == show_visibility) sky = vec3(visibility);
+    if (compose.show == show_wrong) sky = grey(sky);
+    color = vec4(sky, 1.0);
     return;
   }
   vec3 normal = octahedral_decode(texelFetch(normal_image, pixel, 0).rg);
@@ -37,7 +42,7 @@ void main() {
   vec3 picture = display(surface_radiance(albedo, normal, to_light, compose.lamp_distance, visibility));
   if (compose.show == show_visibility) picture = vec3(visibility);
   if (compose.show == show_wrong) {
-    picture = vec3(0.25 + 0.5 * dot(picture, vec3(0.2126, 0.7152, 0.0722)));
+    picture = grey(picture);
     bool truth = texelFetch(truth_image, pixel, 0).r >= 0.5;
     if (answered && dot(normal, to_light) > compose.least_cosine * length(to_light) && truth != (visibility >= 0.5))
       picture = truth ? compose.false_shadow : compose.false_lit;

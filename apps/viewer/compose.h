@@ -19,7 +19,7 @@ struct ComposeConstants {
   float divider;        // pixels from the left edge: the right side's answer is shown beyond it
   uint show;
   uint answered;                 // bit 0: the left side has an answer, bit 1: the right one
-  float least_cosine;  // of a surface that is compared
+  float least_cosine;            // of a surface that is compared
   vec3 false_shadow, false_lit;  // colours of wrong pixels, sRGB
 };
 

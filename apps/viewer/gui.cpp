@@ -5,8 +5,10 @@
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_vulkan.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "shadewright/error.h"
 
@@ -70,7 +72,8 @@ struct Gui::Context {
   Context& operator=(const Context&) = delete;
 };
 
-Gui::Gui(const Window& window, const gpu::Device& device) : device_(device), pass_(make_pass(device, window.format())) {
+Gui::Gui(const Window& window, const gpu::Device& device)
+    : window_(window), device_(device), pass_(make_pass(device, window.format())) {
   const vk::DescriptorPoolSize font(vk::DescriptorType::eCombinedImageSampler, 1);
   descriptors_ =
       vk::raii::DescriptorPool(device.handle(), {vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, font});
@@ -81,10 +84,31 @@ Gui::~Gui() {
   device_.handle().waitIdle();
 }
 
-void Gui::begin() {
+void Gui::begin([[maybe_unused]] std::span<const int> pressed) {
   ImGui_ImplVulkan_NewFrame();
   ImGui_ImplGlfw_NewFrame();
+#if IMGUI_VERSION_NUM < 18700  // later ones keep a queue of keys
+  ImGuiIO& io = ImGui::GetIO();
+  const auto set = [&](int key, bool down) {
+    if (key < 0 || key >= static_cast<int>(std::size(io.KeysDown))) return;
+    io.KeysDown[key] = down;
+    if (key == GLFW_KEY_LEFT_CONTROL || key == GLFW_KEY_RIGHT_CONTROL) io.KeyCtrl = down;
+    if (key == GLFW_KEY_LEFT_SHIFT || key == GLFW_KEY_RIGHT_SHIFT) io.KeyShift = down;
+  };
+  for (const int key : released_) set(key, window_.is_key_down(key));
+  released_.clear();
+  for (const int key : pressed) {
+    set(key, true);
+    if (!window_.is_key_down(key)) released_.push_back(key);
+  }
+#endif
   ImGui::NewFrame();
+}
+
+bool Gui::close_lists() {
+  if (!ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) return false;
+  ImGui::ClosePopupToLevel(0, true);
+  return true;
 }
 
 void Gui::end() {

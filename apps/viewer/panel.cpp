@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "shadewright/scene/moments.h"
 
@@ -37,13 +38,34 @@ void tip(const std::string& line) {
   ImGui::EndTooltip();
 }
 
+const char* shown(const std::string& name) {
+  return name.empty() ? "(none)" : name.c_str();
+}
+
+/// A list of things with names, which may have the same ones; the index of the one that was chosen, one more for
+/// `last`.
+template <typename Thing>
+std::optional<size_t> choose_one(const char* label, const std::string& chosen, const std::vector<Thing>& things,
+                                 const char* last = nullptr) {
+  std::optional<size_t> result;
+  if (!ImGui::BeginCombo(label, shown(chosen))) return result;
+  for (size_t i = 0; i < things.size(); ++i) {
+    ImGui::PushID(static_cast<int>(i));
+    if (ImGui::Selectable(shown(things[i].name))) result = i;
+    ImGui::PopID();
+  }
+  if (last && ImGui::Selectable(last)) result = things.size();
+  ImGui::EndCombo();
+  return result;
+}
+
 /// A list to choose one of; true when another was chosen.
 template <typename Names>
 bool choose(const char* label, std::string& chosen, const Names& names) {
   bool changed = false;
-  if (!ImGui::BeginCombo(label, chosen.c_str())) return false;
+  if (!ImGui::BeginCombo(label, shown(chosen))) return false;
   for (const std::string& name : names)
-    if (ImGui::Selectable(name.empty() ? "(none)" : name.c_str(), name == chosen)) {
+    if (ImGui::Selectable(shown(name), name == chosen)) {
       chosen = name;
       changed = true;
     }
@@ -53,30 +75,30 @@ bool choose(const char* label, std::string& chosen, const Names& names) {
 
 bool slider(const char* label, double& value, double min, double max, const char* format,
             ImGuiSliderFlags flags = ImGuiSliderFlags_None) {
-  return ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &min, &max, format, flags);
+  return ImGui::SliderScalar(label, ImGuiDataType_Double, &value, &min, &max, format,
+                             flags | ImGuiSliderFlags_AlwaysClamp);
 }
 
-/// The control of one key; true with the new value in `value` when it was changed.
-bool edit_key(const shadow::SpecKey& key, std::string& value) {
+/// The control of one key; true with the new value in `value` when it was changed. What is being typed stays in
+/// `choice` meanwhile.
+bool edit_key(const shadow::SpecKey& key, std::string& value, SideChoice& choice) {
   using Kind = shadow::SpecKey::Kind;
-  switch (key.kind) {
-    case Kind::choice:
-      return choose(key.name.c_str(), value, key.choices);
-    case Kind::whole:
-    case Kind::number: {
-      double number = std::stod(value);
-      const bool whole = key.kind == Kind::whole;
-      ImGui::InputDouble(key.name.c_str(), &number, whole ? 1 : 0, whole ? 1 : 0, "%.6g");
-      if (!ImGui::IsItemDeactivatedAfterEdit()) return false;
-      value = fmt::format("{}", std::clamp(whole ? std::round(number) : number, key.min, key.max));
-      return true;
-    }
-    case Kind::file:
-    case Kind::spec:
-      ImGui::InputText(key.name.c_str(), &value);
-      return ImGui::IsItemDeactivatedAfterEdit();
+  if (key.kind == Kind::choice) return choose(key.name.c_str(), value, key.choices);
+  if (choice.edited_key == key.name) value = choice.edited_value;
+  if (key.kind == Kind::whole || key.kind == Kind::number) {
+    double number = std::stod(value);
+    const bool whole = key.kind == Kind::whole;
+    ImGui::InputDouble(key.name.c_str(), &number, whole ? 1 : 0, whole ? 1 : 0, "%.6g");
+    value = fmt::format("{}", std::clamp(whole ? std::round(number) : number, key.min, key.max));
+  } else {
+    ImGui::InputText(key.name.c_str(), &value);
   }
-  return false;
+  if (ImGui::IsItemActive()) {
+    choice.edited_key = key.name;
+    choice.edited_value = value;
+  }
+  if (ImGui::IsItemDeactivated() && choice.edited_key == key.name) choice.edited_key.clear();
+  return ImGui::IsItemDeactivatedAfterEdit();
 }
 
 /// Every switch of the technique.
@@ -85,7 +107,7 @@ void edit_keys(SideChoice& choice) {
   for (const shadow::SpecKey& key : spec.keys()) {
     const auto given = spec.values.find(key.name);
     std::string value = given == spec.values.end() ? key.default_value : given->second;
-    const bool changed = edit_key(key, value);
+    const bool changed = edit_key(key, value, choice);
     tip(key.help + (key.default_value.empty() ? "" : fmt::format(" (default {})", key.default_value)));
     if (!changed) continue;
     shadow::Spec wanted = spec;
@@ -115,10 +137,8 @@ void tell_figures(const SideFigures& figures) {
     colored(warning, figures.problem);
     return;
   }
-  double sum = 0;
-  for (const gpu::StageTime& stage : figures.stages) sum += stage.milliseconds;
   if (figures.stages.empty()) return;
-  text(fmt::format("{:.1f} ms", sum) +
+  text(fmt::format("{:.1f} ms", figures.milliseconds) +
        (figures.bytes == 0 ? "" : fmt::format("   {:.1f} MB", static_cast<double>(figures.bytes) / 1e6)));
   tip("map and look-up of the last frame");
   if (figures.error) {
@@ -141,7 +161,8 @@ void edit_side(SideChoice& choice, const SideFigures& figures) {
   }
   ImGui::SameLine();
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::InputText("##spec", &choice.text, ImGuiInputTextFlags_EnterReturnsTrue)) choice.set(choice.text);
+  ImGui::InputText("##spec", &choice.text);
+  if (ImGui::IsItemDeactivatedAfterEdit()) choice.set(choice.text);
   tip("parameterization/storage/filter@resolution,key=value; Enter takes it");
   if (!choice.problem.empty()) colored(warning, choice.problem);
   if (!choice.spec) return;
@@ -169,6 +190,7 @@ void edit_sides(State& state, const Told& told) {
 
 void edit_look(State& state, const Told& told) {
   int show = static_cast<int>(state.look.show);
+  ImGui::BeginDisabled(!state.debug.empty());
   ImGui::RadioButton("lit", &show, static_cast<int>(Show::lit));
   ImGui::SameLine();
   ImGui::RadioButton("shadow", &show, static_cast<int>(Show::visibility));
@@ -176,6 +198,7 @@ void edit_look(State& state, const Told& told) {
   ImGui::RadioButton("wrong", &show, static_cast<int>(Show::wrong));
   tip("what differs from ray tracing: red is dark and should be lit, blue is lit and should be dark");
   state.look.show = static_cast<Show>(show);
+  ImGui::EndDisabled();
   std::vector<std::string> names{""};
   names.insert(names.end(), told.debug_names.begin(), told.debug_names.end());
   choose("debug image", state.debug, names);
@@ -183,46 +206,39 @@ void edit_look(State& state, const Told& told) {
 }
 
 void edit_camera(State& state, const Scene& scene) {
-  if (!scene.cameras.empty() && ImGui::BeginCombo("camera", state.camera.name.c_str())) {
-    for (const Camera& camera : scene.cameras)
-      if (ImGui::Selectable(camera.name.c_str())) {
-        state.camera = camera;
-        state.path.clear();
-      }
-    ImGui::EndCombo();
-  }
+  if (!scene.cameras.empty())
+    if (const auto chosen = choose_one("camera", state.camera.name, scene.cameras)) {
+      state.camera = scene.cameras[*chosen];
+      state.fov_y.reset();
+      state.path.clear();
+    }
   slider("metres a second", state.speed, 0.01, 10'000, "%.3g", ImGuiSliderFlags_Logarithmic);
   double fov = glm::degrees(state.camera.fov_y);
-  if (slider("field of view", fov, 1, 160, "%.0f deg")) state.camera.fov_y = glm::radians(fov);
+  if (slider("field of view", fov, 1, 160, "%.0f deg")) {
+    state.fov_y = glm::radians(fov);
+    state.camera.fov_y = *state.fov_y;
+  }
 }
 
 void edit_light(State& state, const Scene& scene) {
-  if (ImGui::BeginCombo("light", state.light.name.c_str())) {
-    for (const Light& light : scene.lights)
-      if (ImGui::Selectable(light.name.c_str())) {
-        state.light = light;
-        if (light.kind == LightKind::directional) state.sun = sun_angles(light);
-      }
-    if (ImGui::Selectable("a sun")) state.light = sun(state.sun.x, state.sun.y);
-    ImGui::EndCombo();
+  if (const auto chosen = choose_one("light", state.light.name, scene.lights, "a sun")) {
+    state.light = *chosen < scene.lights.size() ? scene.lights[*chosen] : sun(state.sun.x, state.sun.y);
+    if (state.light.kind == LightKind::directional) state.sun = sun_angles(state.light);
   }
   if (state.light.kind != LightKind::directional) return;
   bool turned = slider("azimuth", state.sun.x, -180, 360, "%.1f deg");
   turned |= slider("elevation", state.sun.y, -90, 90, "%.1f deg");
-  if (turned) {
-    const std::string name = state.light.name;
-    state.light = sun(state.sun.x, state.sun.y);
-    state.light.name = name;
-  }
+  if (turned) state.light.direction = sun(state.sun.x, state.sun.y).direction;
 }
 
 void edit_time(State& state, const Scene& scene) {
   if (!scene.paths.empty()) {
     std::vector<std::string> names{""};
     for (const CameraPath& path : scene.paths) names.push_back(path.name);
-    if (choose("path", state.path, names) && !state.path.empty()) {
+    if (choose("path", state.path, names)) {
       state.time = 0;
-      state.plays = true;
+      state.plays = !state.path.empty();
+      state.fov_y.reset();
     }
   }
   const double end = duration(scene, state.path);
@@ -254,6 +270,8 @@ void edit_picture(State& state, const Told& told) {
 void draw_panel(State& state, const Told& told) {
   ImGui::SetNextWindowPos({10, 10}, ImGuiCond_FirstUseEver);
   ImGui::SetNextWindowSize({24 * ImGui::GetFontSize(), ImGui::GetIO().DisplaySize.y - 20}, ImGuiCond_FirstUseEver);
+  const ImVec2 room = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowSizeConstraints({1, 1}, {std::max(1.0f, room.x), std::max(1.0f, room.y - 20)});
   ImGui::Begin("Shadewright", &state.panel);
   ImGui::PushItemWidth(-9 * ImGui::GetFontSize());
   text(told.scene->name);
@@ -277,7 +295,7 @@ void draw_panel(State& state, const Told& told) {
   ImGui::End();
 }
 
-void draw_divider(State& state) {
+void draw_divider(State& state, const Told& told) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   const float reach = 0.5f * ImGui::GetFontSize();
   const float x = static_cast<float>(state.look.divider) * size.x;
@@ -303,7 +321,10 @@ void draw_divider(State& state) {
     lines.AddRectFilled({at - 4, y - 3}, {at + extent.x + 4, y + extent.y + 3}, IM_COL32(0, 0, 0, 150), 3);
     lines.AddText({at, y}, IM_COL32_WHITE, label.c_str());
   };
-  const auto label = [&](size_t side) { return state.sides[side].spec ? state.sides[side].spec->text : "nothing"; };
+  const auto label = [&](size_t side) {
+    const std::string own = state.sides[side].spec ? state.sides[side].spec->text : "nothing";
+    return told.sides[side].problem.empty() ? own : own + " (no answer)";
+  };
   name(label(left), x - 12 - ImGui::CalcTextSize(label(left).c_str()).x);
   name(label(right), x + 12);
 }
@@ -315,6 +336,7 @@ void draw_progress(const std::string& task, double fraction) {
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings);
   text(task);
   ImGui::ProgressBar(static_cast<float>(fraction), {20 * ImGui::GetFontSize(), 0});
+  colored(faint, "Escape gives it up");
   ImGui::End();
 }
 

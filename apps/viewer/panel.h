@@ -9,9 +9,9 @@ namespace shadewright::viewer {
 void draw_panel(State& state, const Told& told);
 
 /// The line between the two sides, which can be dragged, and their names beside it.
-void draw_divider(State& state);
+void draw_divider(State& state, const Told& told);
 
-/// What takes long, in the window's middle.
+/// What takes long, in the window's middle; Escape gives it up.
 void draw_progress(const std::string& task, double fraction);
 
 }  // namespace shadewright::viewer

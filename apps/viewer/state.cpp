@@ -8,6 +8,17 @@
 
 namespace shadewright::viewer {
 
+namespace {
+
+/// As one word of a shell's command.
+std::string quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? "'\\''" : std::string(1, c);
+  return result + "'";
+}
+
+}  // namespace
+
 void SideChoice::set(const std::string& wanted) {
   text = wanted;
   problem.clear();
@@ -30,16 +41,16 @@ std::string compare_command(const State& state, const Told& told) {
   // In the file's coordinates, as the command line takes them.
   const glm::dvec3 eye = state.camera.eye + told.scene->origin, target = state.camera.target + told.scene->origin;
   std::string command = fmt::format(
-      "shadewright compare '{}' --eye={:.10g},{:.10g},{:.10g} --target={:.10g},{:.10g},{:.10g} --fov {:.6g}",
-      told.scene_source, eye.x, eye.y, eye.z, target.x, target.y, target.z, glm::degrees(state.camera.fov_y));
+      "shadewright compare {} --eye={:.10g},{:.10g},{:.10g} --target={:.10g},{:.10g},{:.10g} --fov {:.6g}",
+      quoted(told.scene_source), eye.x, eye.y, eye.z, target.x, target.y, target.z, glm::degrees(state.camera.fov_y));
   if (state.light.kind == LightKind::directional)
     command += fmt::format(" --sun={:.6g},{:.6g}", state.sun.x, state.sun.y);
   else
-    command += fmt::format(" --light '{}'", state.light.name);
+    command += " --light " + quoted(state.light.name);
   command += fmt::format(" --size {}x{}", told.picture.width, told.picture.height);
   for (const size_t side : {left, right})
     if (state.sides[side].spec && (side == left || state.compares))
-      command += fmt::format(" -t '{}'", state.sides[side].spec->text);
+      command += " -t " + quoted(state.sides[side].spec->text);
   return command + " -o out/view";
 }
 

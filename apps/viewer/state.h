@@ -15,8 +15,9 @@ namespace shadewright::viewer {
 /// The technique of one side, as it is typed or chosen.
 struct SideChoice {
   std::string text;
-  std::optional<shadow::Spec> spec;  ///< the last text that was one
-  std::string problem;               ///< what is wrong with the text, one sentence; empty = nothing
+  std::optional<shadow::Spec> spec;      ///< the last text that was one
+  std::string problem;                   ///< what is wrong with the text, one sentence; empty = nothing
+  std::string edited_key, edited_value;  ///< the switch that is being typed into, and what it says so far
 
   SideChoice() = default;
   explicit SideChoice(const shadow::Spec& chosen) : text(chosen.text), spec(chosen) {}
@@ -31,7 +32,8 @@ struct State {
   std::string debug;  ///< a debug image of the left side's that takes the place of the picture; empty: none
 
   Camera camera;
-  double speed = 1;  ///< metres a second
+  std::optional<double> fov_y;  ///< full vertical angle, radians, whatever a path says; none: as the path says
+  double speed = 1;             ///< metres a second
   Light light;
   glm::dvec2 sun{35, 45};   ///< azimuth and elevation in degrees, where the light is a sun
   double time = 0;          ///< seconds

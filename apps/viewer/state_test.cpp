@@ -37,9 +37,10 @@ TEST(ViewerState, TellsTheCommandThatReportsWhatIsShown) {
             "-t 'psm@512' -o out/view");
   state.compares = true;
   state.light.kind = LightKind::point;
-  state.light.name = "lamp";
+  state.light.name = "Bob's lamp";
   EXPECT_EQ(compare_command(state, told),
-            "shadewright compare 'a town.glb' --eye=999,2,3.5 --target=1000,0,0 --fov 45 --light 'lamp' --size 640x360 "
+            "shadewright compare 'a town.glb' --eye=999,2,3.5 --target=1000,0,0 --fov 45 --light 'Bob'\\''s lamp' "
+            "--size 640x360 "
             "-t 'psm@512' -t 'ray' -o out/view");
 }
 

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "baker.h"
 #include "camera_moves.h"
 #include "gui.h"
 #include "panel.h"
@@ -22,9 +23,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double idle_wait = 0.25;      // seconds between frames while nobody does anything
-constexpr double longest_step = 0.5;    // seconds that a camera moves in one frame, at most
-constexpr double progress_pause = 0.1;  // seconds between two pictures of a progress
+constexpr double idle_wait = 0.25;    // seconds between frames while nobody does anything
+constexpr double longest_step = 0.5;  // seconds that a camera moves in one frame, at most
 
 /// Thrown out of long work when the window is closed.
 struct Closed {};
@@ -33,10 +33,12 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// The first of picture-0001.png, ... that is not there yet.
+/// The first of shadewright-0001.png, ... that is not there yet.
 std::filesystem::path free_name() {
+  std::error_code ignored;
   for (int i = 1;; ++i)
-    if (const std::string name = fmt::format("shadewright-{:04}.png", i); !std::filesystem::exists(name)) return name;
+    if (const std::string name = fmt::format("shadewright-{:04}.png", i); !std::filesystem::exists(name, ignored))
+      return name;
 }
 
 class Session {
@@ -46,7 +48,8 @@ class Session {
 
  private:
   void take_input(double seconds);
-  void press_keys();
+  void draw_controls();
+  void press_keys(std::span<const int> keys);
   bool steer(double seconds);
   void draw();
   void choose_techniques();
@@ -54,28 +57,40 @@ class Session {
   void choose_debug_image(bool redrawn);
   void run_commands();
   void tell();
-  void present(const gpu::Image& picture);
-  void show_progress(std::string_view task, double fraction);
+  void present();
+  bool watch_bake(const std::string& task, double fraction);
 
   Window& window_;
   const gpu::Device& device_;
   const Scene& scene_;
+  const double extent_;  ///< the scene's diagonal, metres
   Gui gui_;
+  Baker baker_;
   Canvas canvas_;
   State state_;
   Told told_;
   std::array<std::string, 2> chosen_;  ///< the specs that the canvas has
   vk::Extent2D size_, wanted_size_;
   std::string shown_debug_;
-  gpu::Image debug_;
-  bool restless_ = true;      ///< the next frame does not wait
-  bool interrupted_ = false;  ///< progress was shown in this frame, in the controls' place
-  Clock::time_point last_progress_ = Clock::now();
+  Picture debug_picture_;
+  gpu::Image debug_;         ///< the same on the device; none while the canvas' picture is shown
+  bool restless_ = true;     ///< the next frame does not wait
+  bool in_between_ = false;  ///< a bake has shown the controls in this frame's place
 };
 
 Session::Session(Window& window, const gpu::Device& device, const Scene& scene, const Start& start)
-    : window_(window), device_(device), scene_(scene), gui_(window, device), canvas_(device, scene) {
+    : window_(window),
+      device_(device),
+      scene_(scene),
+      extent_(bounds(scene).diagonal()),
+      gui_(window, device),
+      baker_([this](const std::string& task, double fraction) { return watch_bake(task, fraction); }),
+      canvas_(device, scene,
+              [this](const Scene& baked, const Light& light, const voxel::BakeOptions& options, const Progress&) {
+                return baker_(baked, light, options);
+              }) {
   state_.camera = start.camera;
+  state_.fov_y = start.fov_y;
   state_.speed = 0.1 * glm::distance(start.camera.eye, start.camera.target);
   state_.light = start.light;
   if (start.light.kind == LightKind::directional) state_.sun = sun_angles(start.light);
@@ -94,37 +109,40 @@ Session::Session(Window& window, const gpu::Device& device, const Scene& scene, 
 void Session::run() {
   Clock::time_point last = Clock::now();
   while (!window_.is_closing() && !state_.quit) {
-    window_.take_events(restless_ ? 0 : idle_wait);
+    const bool minimized = window_.size().width == 0;
+    window_.take_events(restless_ && !minimized ? 0 : idle_wait);
     const double step = std::min(seconds_since(last), longest_step);
     last = Clock::now();
-    restless_ = interrupted_ = false;
+    restless_ = in_between_ = false;
     take_input(step);
     draw();
-    if (interrupted_) {
-      restless_ = true;
-      continue;
-    }
-    present(debug_ ? debug_ : canvas_.image());
+    restless_ |= in_between_;
+    if (!in_between_) present();
   }
 }
 
 void Session::take_input(double seconds) {
-  gui_.begin();
-  if (state_.compares && state_.debug.empty()) draw_divider(state_);
-  if (state_.panel) draw_panel(state_, told_);
-  press_keys();
+  const std::vector<int> keys = window_.take_pressed_keys();
+  gui_.begin(keys);
+  draw_controls();
+  press_keys(keys);
   restless_ |= steer(seconds);  // before the end of ImGui's frame, which forgets the wheel
   gui_.end();
 }
 
-void Session::press_keys() {
+void Session::draw_controls() {
+  if (state_.compares && !debug_) draw_divider(state_, told_);
+  if (state_.panel) draw_panel(state_, told_);
+}
+
+void Session::press_keys(std::span<const int> keys) {
   const bool typing = ImGui::GetIO().WantTextInput;
-  for (const int key : window_.take_pressed_keys()) {
+  for (const int key : keys) {
     if (typing) continue;
     if (key == GLFW_KEY_TAB) state_.panel = !state_.panel;
     if (key == GLFW_KEY_SPACE) state_.plays = !state_.plays;
     if (key == GLFW_KEY_F12) state_.save = true;
-    if (key == GLFW_KEY_ESCAPE) state_.quit = true;
+    if (key == GLFW_KEY_ESCAPE && !gui_.close_lists()) state_.quit = true;
   }
 }
 
@@ -147,13 +165,14 @@ bool Session::steer(double seconds) {
                           held(GLFW_KEY_W) - held(GLFW_KEY_S));
     if (axes != glm::dvec3(0.0)) take(moved(camera, axes * state_.speed * seconds * (io.KeyShift ? 5.0 : 1.0)));
   }
-  if (!io.WantCaptureMouse) {
+  if (!io.WantCaptureMouse && io.DisplaySize.y > 0) {
     const glm::dvec2 drag =
         glm::dvec2(io.MouseDelta.x, io.MouseDelta.y) * camera.fov_y / static_cast<double>(io.DisplaySize.y);
     const bool drags = drag != glm::dvec2(0.0);
     if (drags && io.MouseDown[ImGuiMouseButton_Left]) take(turned(camera, drag.x, -drag.y));
     if (drags && io.MouseDown[ImGuiMouseButton_Right]) take(circled(camera, 3 * drag.x, -3 * drag.y));
-    if (io.MouseWheel != 0) take(approached(camera, std::pow(0.85, static_cast<double>(io.MouseWheel))));
+    if (io.MouseWheel != 0)
+      take(approached(camera, std::pow(0.85, static_cast<double>(io.MouseWheel)), 1e-4 * extent_, 100 * extent_));
   }
   if (steered) {
     camera.name = "here";
@@ -161,6 +180,7 @@ bool Session::steer(double seconds) {
     state_.path.clear();
   } else if (!state_.path.empty()) {
     state_.camera = camera_at(find_path(scene_, state_.path), state_.time);
+    state_.camera.fov_y = state_.fov_y.value_or(state_.camera.fov_y);
   }
   return runs || steered;
 }
@@ -170,10 +190,13 @@ void Session::draw() {
     choose_size();
     choose_techniques();
     if (size_.width == 0) return;
+    // Once nothing moves any more, a first frame's times are replaced by a warm one's.
+    if (!restless_ && canvas_.has_cold_figures()) canvas_.forget_cold_figures();
     Look look = state_.look;
     if (!state_.compares) look.divider = 1;
     const bool redrawn = canvas_.draw({state_.time, state_.camera, state_.light}, look);
     restless_ |= redrawn;
+    if (redrawn && !canvas_.has_cold_figures()) told_.remark.clear();
     tell();
     choose_debug_image(redrawn);
     run_commands();
@@ -202,8 +225,7 @@ void Session::choose_techniques() {
     const std::string name = spec ? spec->canonical() : "";
     if (name == chosen_[side]) continue;
     chosen_[side] = name;
-    canvas_.set_technique(side, spec,
-                          [this](std::string_view task, double fraction) { show_progress(task, fraction); });
+    canvas_.set_technique(side, spec);
   }
 }
 
@@ -213,21 +235,28 @@ void Session::choose_debug_image(bool redrawn) {
   shown_debug_ = state_.debug;
   debug_ = {};
   if (state_.debug.empty() || !told_.sides[left].problem.empty()) return;
-  const Picture picture = canvas_.debug_picture(left, state_.debug);
-  using Usage = vk::ImageUsageFlagBits;
-  debug_ = gpu::Image(device_, {"debug image", vk::Format::eR8G8B8A8Unorm, picture.width, picture.height, 1,
-                                Usage::eSampled | Usage::eTransferDst | Usage::eTransferSrc});
-  gpu::upload(device_, debug_, std::as_bytes(std::span(picture.pixels)));
-  gpu::submit_and_wait(device_, [&](const vk::raii::CommandBuffer& commands) {
-    debug_.transition(commands, vk::ImageLayout::eTransferSrcOptimal);
-  });
+  try {
+    debug_picture_ = canvas_.debug_picture(left, state_.debug);
+    using Usage = vk::ImageUsageFlagBits;
+    gpu::Image image(device_, {"debug image", vk::Format::eR8G8B8A8Unorm, debug_picture_.width, debug_picture_.height,
+                               1, Usage::eSampled | Usage::eTransferDst | Usage::eTransferSrc});
+    gpu::upload(device_, image, std::as_bytes(std::span(debug_picture_.pixels)));
+    gpu::submit_and_wait(device_, [&](const vk::raii::CommandBuffer& commands) {
+      image.transition(commands, vk::ImageLayout::eTransferSrcOptimal);
+    });
+    debug_ = std::move(image);
+  } catch (const Error& error) {
+    told_.remark = error.what();
+    state_.debug.clear();
+    shown_debug_.clear();
+  }
 }
 
 void Session::run_commands() {
   if (state_.save) {
     const std::filesystem::path file = free_name();
     try {
-      write_png(canvas_.picture(), file);
+      write_png(debug_ ? debug_picture_ : canvas_.picture(), file);
       told_.remark = "saved " + file.string();
     } catch (const Error& error) {
       told_.remark = error.what();
@@ -236,7 +265,8 @@ void Session::run_commands() {
   if (state_.copy) {
     const std::string command = compare_command(state_, told_);
     window_.set_clipboard(command);
-    told_.remark = command + (state_.time > 0 && !scene_.motions.empty() ? " (with what moves where it begins)" : "");
+    const bool moves = state_.time > 0 && !scene_.motions.empty();
+    told_.remark = std::string(moves ? "Copied; it shows moving things where they begin:\n" : "Copied:\n") + command;
   }
   restless_ |= state_.save || state_.copy;
   state_.save = state_.copy = false;
@@ -249,21 +279,24 @@ void Session::tell() {
   told_.debug_names = canvas_.debug_names(left);
 }
 
-void Session::present(const gpu::Image& picture) {
-  window_.present(
-      picture, [&](const auto& commands, vk::ImageView view, vk::Extent2D size) { gui_.record(commands, view, size); });
+void Session::present() {
+  window_.present(debug_ ? debug_ : canvas_.image(), [&](const auto& commands, vk::ImageView view, vk::Extent2D size) {
+    gui_.record(commands, view, size);
+  });
 }
 
-void Session::show_progress(std::string_view task, double fraction) {
-  if (seconds_since(last_progress_) < progress_pause) return;
-  last_progress_ = Clock::now();
-  interrupted_ = true;
+/// A frame of the window while a bake runs: the controls live on, what they change comes afterwards. Escape gives up.
+bool Session::watch_bake(const std::string& task, double fraction) {
+  in_between_ = true;
   window_.take_events(0);
   if (window_.is_closing()) throw Closed{};
-  gui_.begin();
-  draw_progress(std::string(task), fraction);
+  const std::vector<int> keys = window_.take_pressed_keys();
+  gui_.begin(keys);
+  draw_controls();
+  draw_progress(task, fraction);
   gui_.end();
-  present(canvas_.image());
+  present();
+  return std::ranges::find(keys, GLFW_KEY_ESCAPE) == keys.end();
 }
 
 }  // namespace

@@ -99,7 +99,8 @@ Window::Window(const Desktop&, const gpu::Device& device, const std::string& tit
   // Pictures are encoded as sRGB already: the images that take them must not encode them again.
   const auto formats = device.physical().getSurfaceFormatsKHR(*surface_);
   const auto fits = [](const vk::SurfaceFormatKHR& f) {
-    return f.format == vk::Format::eB8G8R8A8Unorm || f.format == vk::Format::eR8G8B8A8Unorm;
+    return (f.format == vk::Format::eB8G8R8A8Unorm || f.format == vk::Format::eR8G8B8A8Unorm) &&
+           f.colorSpace == vk::ColorSpaceKHR::eSrgbNonlinear;
   };
   const auto format = std::ranges::find_if(formats, fits);
   if (format == formats.end())
@@ -120,15 +121,15 @@ bool Window::is_closing() const {
   return glfwWindowShouldClose(window_.get()) != 0;
 }
 
-void Window::close() {
-  glfwSetWindowShouldClose(window_.get(), GLFW_TRUE);
-}
-
 void Window::take_events(double seconds) {
   if (seconds > 0)
     glfwWaitEventsTimeout(seconds);
   else
     glfwPollEvents();
+}
+
+bool Window::is_key_down(int key) const {
+  return glfwGetKey(window_.get(), key) == GLFW_PRESS;
 }
 
 void Window::set_clipboard(const std::string& text) {
@@ -145,7 +146,14 @@ void Window::make_swapchain() {
   const vk::raii::Device& handle = device_.handle();
   handle.waitIdle();
   const vk::SurfaceCapabilitiesKHR can = device_.physical().getSurfaceCapabilitiesKHR(*surface_);
-  extent_ = can.currentExtent.width != UINT32_MAX ? can.currentExtent : size();
+  const vk::Extent2D own = size(), least = can.minImageExtent, largest = can.maxImageExtent;
+  extent_ = can.currentExtent.width != UINT32_MAX ? can.currentExtent
+                                                  : vk::Extent2D(std::clamp(own.width, least.width, largest.width),
+                                                                 std::clamp(own.height, least.height, largest.height));
+  if (extent_.width == 0 || extent_.height == 0) {  // minimized meanwhile
+    targets_.clear();
+    return;
+  }
   const uint32_t most = can.maxImageCount == 0 ? UINT32_MAX : can.maxImageCount;
   using Usage = vk::ImageUsageFlagBits;
   const vk::CompositeAlphaFlagBitsKHR alpha = can.supportedCompositeAlpha & vk::CompositeAlphaFlagBitsKHR::eOpaque
@@ -168,6 +176,7 @@ void Window::present(const gpu::Image& picture, const Overlay& overlay) {
   const vk::Extent2D now = size();
   if (now.width == 0 || now.height == 0) return;
   if (targets_.empty() || extent_ != now) make_swapchain();
+  if (targets_.empty()) return;
   // A window that changed its size meanwhile wants other images; the next frame tries again where these do not fit
   // either.
   if (!try_present(picture, overlay)) make_swapchain();

@@ -40,11 +40,11 @@ class Window {
   Window& operator=(const Window&) = delete;
 
   bool is_closing() const;
-  void close();
   /// Takes what the person did; waits for something up to `seconds` (0: does not).
   void take_events(double seconds);
   /// The keys (GLFW_KEY_*) that went down since the last call, however short.
   std::vector<int> take_pressed_keys() { return std::exchange(pressed_keys_, {}); }
+  bool is_key_down(int key) const;
   void set_clipboard(const std::string& text);
   /// Pixels; 0 while it is minimized.
   vk::Extent2D size() const;

@@ -20,6 +20,11 @@
 #include "shadewright/scene/scene.h"
 #include "shadewright/shadow/spec.h"
 
+namespace shadewright::voxel {
+struct BakeOptions;
+class VoxelShadow;
+}  // namespace shadewright::voxel
+
 namespace shadewright::shadow {
 
 /// One thing to draw casters into: a layer of the shadow map through one matrix.
@@ -58,12 +63,18 @@ struct Frame {
   uint64_t index = 0;  ///< of the frame; per-frame buffers are used in turns of `frames_in_flight`
 };
 
+/// Bakes a precomputed shadow, as voxel::bake does: a caller may keep shadows for techniques to come, or bake on a
+/// thread of its own. What it throws comes out of Technique::prepare.
+using BakeShadow =
+    std::function<voxel::VoxelShadow(const Scene&, const Light&, const voxel::BakeOptions&, const Progress&)>;
+
 struct TechniqueOptions {
   uint32_t width = 0, height = 0;  ///< of the camera's buffers and the visibility image, pixels
   uint32_t frames_in_flight = 2;
   bool allow_readback = true;       ///< false: techniques that would wait for the device in `prepare` are refused
   const Scene* scene = nullptr;     ///< what precomputed shadows are baked from
   Progress progress = no_progress;  ///< of a bake
+  BakeShadow bake = {};             ///< null: voxel::bake
 };
 
 /// Named results of a frame: one number or several ("effective_resolution": 2048, 2048).

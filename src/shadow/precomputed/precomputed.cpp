@@ -133,7 +133,7 @@ void check_use(const Spec& spec, const voxel::VoxelShadow& shadow) {
                      "bake without --static");
 }
 
-voxel::VoxelShadow bake(const Spec& spec, const Scene& scene, const Light& light, const Progress& progress) {
+voxel::VoxelShadow bake(const Spec& spec, const Light& light, const TechniqueOptions& technique) {
   voxel::BakeOptions options;
   options.resolution = spec.resolution;
   options.max_filter = static_cast<uint32_t>(spec.number("taps"));
@@ -143,7 +143,8 @@ voxel::VoxelShadow bake(const Spec& spec, const Scene& scene, const Light& light
   options.closed = closed == "all"    ? voxel::ClosedMode::all
                    : closed == "none" ? voxel::ClosedMode::none
                                       : voxel::ClosedMode::automatic;
-  voxel::VoxelShadow shadow = voxel::bake(scene, light, options, progress).shadow;
+  voxel::VoxelShadow shadow = technique.bake ? technique.bake(*technique.scene, light, options, technique.progress)
+                                             : voxel::bake(*technique.scene, light, options, technique.progress).shadow;
   check_use(spec, shadow);
   return shadow;
 }
@@ -199,8 +200,8 @@ void Precomputed::prepare(const Frame& frame, gpu::Recorder& recorder) {
 
 void Precomputed::bake_or_open(const Light& light) {
   const auto start = std::chrono::steady_clock::now();
-  voxel::VoxelShadow shadow = spec_.choice("file").empty() ? bake(spec_, *options_.scene, light, options_.progress)
-                                                           : open_baked(spec_, options_.scene, light);
+  voxel::VoxelShadow shadow =
+      spec_.choice("file").empty() ? bake(spec_, light, options_) : open_baked(spec_, options_.scene, light);
   bake_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   use(std::move(shadow), light);
 }
