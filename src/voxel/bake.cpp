@@ -1,9 +1,11 @@
 #include "shadewright/voxel/bake.h"
 
 #include <fmt/format.h>
+#include <tbb/global_control.h>
 #include <tbb/info.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <bit>
 #include <chrono>
 #include <cmath>
@@ -133,7 +135,10 @@ BakeResult run(const Scene& scene, const Light& light, const BakeOptions& option
 
 BakeResult bake(const Scene& scene, const Light& light, const BakeOptions& options, const Progress& progress) {
   check(options);
-  tbb::task_arena arena(options.threads == 0 ? tbb::info::default_concurrency() : int(options.threads));
+  // oneTBB warns of more threads than it may have, and takes no more.
+  const auto most = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  tbb::task_arena arena(options.threads == 0 ? tbb::info::default_concurrency()
+                                             : int(std::min<size_t>(options.threads, most)));
   return arena.execute([&] { return run(scene, light, options, progress); });
 }
 

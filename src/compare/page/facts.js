@@ -21,7 +21,7 @@ function describePath(path) {
   const seconds = (time) => format.significant(time, 3);
   const light = path.light_moves ? ', the light moves' : '';
   return `${format.count(path.frames)} frames from ${seconds(path.first_time)} to ${seconds(path.last_time)} s${light}; `
-      + `figures are over all of them, pictures show number ${format.count(path.pictured)}`;
+      + `figures are over all of them, pictures show number ${format.count(path.pictured + 1)}`;
 }
 
 function showFacts(report) {
