@@ -9,6 +9,7 @@
 #include <mutex>
 
 #include "shadewright/error.h"
+#include "shadow/lookup_data.h"
 
 namespace shadewright::viewer {
 
@@ -47,14 +48,10 @@ class Place {
 
 }  // namespace
 
-bool same_light(const Light& a, const Light& b) {
-  return a.kind == b.kind && a.position == b.position && a.direction == b.direction && a.outer_angle == b.outer_angle;
-}
-
 voxel::VoxelShadow Baker::operator()(const Scene& scene, const Light& light, const voxel::BakeOptions& options) {
   const std::string what = name_of(options);
   const auto kept =
-      std::ranges::find_if(kept_, [&](const Baked& b) { return b.what == what && same_light(b.light, light); });
+      std::ranges::find_if(kept_, [&](const Baked& b) { return b.what == what && shadow::same_light(b.light, light); });
   if (kept != kept_.end()) return kept->shadow;
 
   Place place;

@@ -34,7 +34,4 @@ class Baker {
   std::deque<Baked> kept_;  ///< the last one first
 };
 
-/// Whether both lights cast the same shadow.
-bool same_light(const Light& a, const Light& b);
-
 }  // namespace shadewright::viewer

@@ -6,33 +6,20 @@
 #include <new>
 #include <numeric>
 
-#include "baker.h"
-
 #include "compare/difference.h"
-#include "compose.h"
 #include "render/shared.h"
 #include "shaders/compose_frag.h"
 #include "shaders/whole_image_vert.h"
 #include "shadewright/compare/metrics.h"
 #include "shadewright/error.h"
 #include "shadewright/render/image.h"
+#include "shadow/lookup_data.h"
 
 namespace shadewright::viewer {
 
 namespace {
 
 constexpr vk::Format picture_format = vk::Format::eR8G8B8A8Unorm;
-
-uint32_t shown(Show show) {
-  switch (show) {
-    case Show::visibility:
-      return shared::show_visibility;
-    case Show::wrong:
-      return shared::show_wrong;
-    default:
-      return shared::show_lit;
-  }
-}
 
 glm::vec3 color(const glm::u8vec4& c) {
   return glm::vec3(c) / 255.0f;
@@ -124,7 +111,7 @@ void Canvas::make_technique(Side& side) {
 
 bool Canvas::draw(const Moment& moment, const Look& look) {
   const bool moves = !drawn_ || !same_view(*drawn_, moment);
-  const bool new_light = !drawn_ || !same_light(drawn_->light, moment.light);
+  const bool new_light = !drawn_ || !shadow::same_light(drawn_->light, moment.light);
   if (new_light) lamp_distance_ = render::lamp_distance(moment.light, moment.camera);
   if (moves || new_light) {
     traced_ = false;
@@ -184,7 +171,7 @@ void Canvas::answer(Side& side) {
     side.figures.milliseconds = truth_->milliseconds();
     return;
   }
-  const bool checked = side.checked && same_light(*side.checked, drawn_->light);
+  const bool checked = side.checked && shadow::same_light(*side.checked, drawn_->light);
   if (!side.technique || (checked && !side.figures.problem.empty())) return;
   side.checked = drawn_->light;
   shadow::Frame frame;
@@ -208,7 +195,7 @@ void Canvas::answer(Side& side) {
 }
 
 void Canvas::measure(Side& side) {
-  if (!side.technique || !side.figures.problem.empty() || side.figures.error) return;
+  if (!side.has_answer() || side.is_truth() || side.figures.error) return;
   gpu::Image& answer = side.technique->visibility();
   side.figures.error = truth_->error(gpu::read_back(device_, answer, 1));
   gpu::submit_and_wait(device_, [&](const vk::raii::CommandBuffer& commands) {
@@ -219,7 +206,7 @@ void Canvas::measure(Side& side) {
 gpu::Image& Canvas::visibility(const Side& side) {
   if (side.is_truth()) return truth_->visibility();
   // Whatever is bound is not looked at where there is no answer.
-  return side.technique && side.figures.problem.empty() ? side.technique->visibility() : camera_pass_->depth();
+  return side.has_answer() ? side.technique->visibility() : camera_pass_->depth();
 }
 
 void Canvas::compose(const Look& look) {
@@ -229,11 +216,10 @@ void Canvas::compose(const Look& look) {
   constants.light = sun ? glm::vec4(-glm::vec3(light.direction), 0.0f) : glm::vec4(glm::vec3(light.position), 1.0f);
   constants.lamp_distance = static_cast<float>(lamp_distance_);
   constants.divider = static_cast<float>(look.divider * image_.desc().width);
-  constants.show = shown(look.show);
+  constants.show = static_cast<uint32_t>(look.show);
   constants.answered = 0;
   for (const size_t side : {left, right})
-    if (sides_[side].is_truth() || (sides_[side].technique && sides_[side].figures.problem.empty()))
-      constants.answered |= 1u << side;
+    if (sides_[side].has_answer()) constants.answered |= 1u << side;
   constants.least_cosine = static_cast<float>(compare::edge_on_cosine);
   constants.false_shadow = color(compare::false_shadow_color);
   constants.false_lit = color(compare::false_lit_color);

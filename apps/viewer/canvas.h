@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "compose.h"
 #include "shadewright/compare/report.h"
 #include "shadewright/gpu/pass.h"
 #include "shadewright/image/picture.h"
-
 #include "shadewright/render/camera_pass.h"
 #include "shadewright/render/scene_gpu.h"
 #include "shadewright/scene/moments.h"
@@ -21,7 +21,7 @@
 
 namespace shadewright::viewer {
 
-enum class Show { lit, visibility, wrong };
+enum class Show : uint32_t { lit = shared::show_lit, visibility = shared::show_visibility, wrong = shared::show_wrong };
 
 /// How the answers are laid out.
 struct Look {
@@ -80,6 +80,7 @@ class Canvas {
     int frames = 0;         ///< that the technique has drawn
 
     bool is_truth() const { return spec && spec->parameterization == "ray"; }
+    bool has_answer() const { return is_truth() || (technique && figures.problem.empty()); }
   };
 
   void make_technique(Side& side);

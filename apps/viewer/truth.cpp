@@ -1,8 +1,8 @@
 #include "truth.h"
 
-#include <algorithm>
 #include <chrono>
 
+#include "compare/visibility_floats.h"
 #include "shadewright/compare/metrics.h"
 
 namespace shadewright::viewer {
@@ -29,9 +29,7 @@ void Truth::trace(const Moment& moment, render::CameraPass& camera_pass, const r
 }
 
 compare::ErrorFigures Truth::error(std::span<const std::byte> answer) const {
-  std::vector<float> visibility(answer.size());
-  std::ranges::transform(answer, visibility.begin(),
-                         [](std::byte b) { return static_cast<float>(std::to_integer<uint8_t>(b)) / 255.0f; });
+  const std::vector<float> visibility = compare::visibility_floats(answer);
   const std::vector<uint8_t> facing = compare::facing_light(points_, moment_.light);
   compare::MetricsInput input;
   input.width = width_;

@@ -5,16 +5,10 @@
 #include <limits>
 
 #include "compare/difference.h"
+#include "compare/visibility_floats.h"
 
 namespace shadewright::compare {
 namespace {
-
-std::vector<float> to_floats(std::span<const std::byte> bytes) {
-  std::vector<float> values(bytes.size());
-  std::transform(bytes.begin(), bytes.end(), values.begin(),
-                 [](std::byte b) { return static_cast<float>(std::to_integer<uint8_t>(b)) / 255.0f; });
-  return values;
-}
 
 /// What a perfect map of this resolution would answer: free sight from the rays' origins to the light.
 std::vector<uint8_t> oracle_visibility(const StudyView& view, const shadow::OracleRays& oracle) {
@@ -72,7 +66,7 @@ Outcome TechniqueRun::outcome(StudyView& view, uint64_t index, std::span<const s
   if (technique_) {
     outcome.result.memory = technique_->allocations();
     outcome.result.counters = technique_->counters();
-    outcome.visibility = to_floats(gpu::read_back(view.device(), technique_->visibility(), 1));
+    outcome.visibility = visibility_floats(gpu::read_back(view.device(), technique_->visibility(), 1));
     shadow::Frame frame = view.frame();
     frame.index = index;
     if (view.options().reference) oracle = technique_->oracle_rays(frame);
